@@ -1,0 +1,16 @@
+// The commands of the program; each adds itself to the command line and runs when it is called.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace apps {
+
+void add_synth(CLI::App& app);
+void add_info(CLI::App& app);
+void add_sweep(CLI::App& app);
+void add_peaks(CLI::App& app);
+void add_period(CLI::App& app);
+void add_plot(CLI::App& app);
+void add_validate(CLI::App& app);
+
+}  // namespace apps

@@ -1,0 +1,75 @@
+// shedlight validate: two responses held against each other.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "apps/commands/commands.h"
+#include "apps/console.h"
+#include "apps/exit_codes.h"
+#include "apps/options.h"
+#include "apps/quantities.h"
+#include "evaluation/readers/file_bytes.h"
+#include "evaluation/response_matrix.h"
+
+namespace apps {
+namespace {
+
+struct ValidateOptions {
+  std::string file, reference;
+  double max_error = 0;
+};
+
+evaluation::ResponseMatrix read(const std::string& file) {
+  return evaluation::response_from_csv(evaluation::read_file_bytes(file), file);
+}
+
+void require_same_axis(const ValidateOptions& options, const evaluation::Axis& a,
+                       const evaluation::Axis& b, const char* name) {
+  if (a.values == b.values) return;
+  throw brdf::Error(
+      brdf::Errc::bad_input,
+      fmt::format("{} and {}: the axes {} differ: {} to {} in {} values against {} to "
+                  "{} in {}",
+                  options.file, options.reference, name, a.front(), a.back(), a.size(), b.front(),
+                  b.back(), b.size()));
+}
+
+void run(const ValidateOptions& options) {
+  if (!(options.max_error >= 0))
+    throw brdf::Error(brdf::Errc::invalid_argument,
+                      "--max-error " + brdf::text(options.max_error) + ": must be >= 0");
+  const evaluation::ResponseMatrix response = read(options.file);
+  const evaluation::ResponseMatrix reference = read(options.reference);
+  require_same_axis(options, response.lambda_nm, reference.lambda_nm, "lambda_nm");
+  require_same_axis(options, response.theta_r_deg, reference.theta_r_deg, "theta_r_deg");
+  Eigen::Index row = 0, column = 0;
+  const double worst = (response.values - reference.values).abs().maxCoeff(&row, &column);
+  const bool passed = worst <= options.max_error;
+  print(fmt::format(
+      "{}: largest difference {:.3g} at {} nm, {} deg ({:.6g} against {:.6g}); "
+      "allowed {:.3g}\n",
+      passed ? "passed" : "FAILED", worst, response.lambda_nm[static_cast<std::size_t>(row)],
+      response.theta_r_deg[static_cast<std::size_t>(column)], response.values(row, column),
+      reference.values(row, column), options.max_error));
+  if (!passed) throw ValidationFailed{};
+}
+
+}  // namespace
+
+void add_validate(CLI::App& app) {
+  auto options = std::make_shared<ValidateOptions>();
+  CLI::App* validate =
+      app.add_subcommand("validate", "Compare two responses; exit 1 where they differ too much");
+  validate->footer("Example:\n  shedlight validate taylor.csv direct.csv --max-error 1e-6");
+  add_parsed(validate, "response", options->file, parse_path, "CSV to be judged", "FILE")
+      ->required();
+  add_parsed(validate, "reference", options->reference, parse_path, "CSV to judge it by", "FILE")
+      ->required();
+  add_parsed(validate, "--max-error", options->max_error, parse_number,
+             "largest difference allowed in any cell", "NUMBER")
+      ->required();
+  validate->callback([options] { run(*options); });
+}
+
+}  // namespace apps

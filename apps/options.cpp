@@ -1,0 +1,94 @@
+#include "apps/options.h"
+
+#include <filesystem>
+
+#include "apps/quantities.h"
+#include "apps/version.h"
+#include "brdf/error.h"
+
+namespace apps {
+
+namespace fs = std::filesystem;
+using brdf::Errc;
+using brdf::Error;
+
+const Choices<brdf::Level> level_choices{
+    {"none", brdf::Level::none}, {"mean", brdf::Level::mean}, {"plane", brdf::Level::plane}};
+
+std::string parse_path(const std::string& option, const std::string& text) {
+  if (text.empty()) throw Error(Errc::invalid_argument, option + ": the file name is empty");
+  if (text.front() == '-')
+    throw Error(Errc::invalid_argument, option + " " + text +
+                                            ": looks like an option, not a file (a file of that "
+                                            "name is written ./" +
+                                            text + ")");
+  return text;
+}
+
+void HeightOptions::add_to(CLI::App* app) {
+  add_parsed(app, "file", file, parse_path, "height field: PNG or GSF", "FILE")->required();
+  CLI::Option* width =
+      add_parsed(app, "--width", scale.width, parse_length, "columns x pixel, e.g. 65um", "LENGTH");
+  add_parsed(app, "--pixel", scale.pixel, parse_length_pair, "pixel, or pixel along x,y",
+             "LENGTH[,LENGTH]")
+      ->excludes(width);
+  add_parsed(app, "--height-range", scale.height_range, parse_length,
+             "height of the full-scale code of an integer image, e.g. 818.69nm", "LENGTH");
+  add_parsed(app, "--height-unit", scale.height_unit, parse_length,
+             "length of one unit of floating-point heights, e.g. 1nm", "LENGTH");
+  add_parsed(
+      app, "--reduce", reduction,
+      [](const std::string& option, const std::string& text) {
+        return parse_count(option, text, 1, 1 << 14);
+      },
+      "average N x N blocks of pixels", "N");
+  add_choice(app, "--level", level, level_choices,
+             "what is subtracted from the heights (default none)");
+}
+
+evaluation::HeightFile HeightOptions::read() const {
+  const auto positive = [](const char* option, const std::optional<brdf::Length>& length) {
+    if (length && !(length->um() > 0))
+      throw Error(Errc::invalid_argument,
+                  std::string(option) + " " + brdf::text(length->um()) + "um: must be > 0");
+  };
+  positive("--width", scale.width);
+  positive("--height-range", scale.height_range);
+  positive("--height-unit", scale.height_unit);
+  evaluation::HeightFile input = evaluation::read_heights(file, scale);
+  input.field =
+      brdf::levelled(brdf::reduced(input.field, reduction), level.value_or(brdf::Level::none));
+  return input;
+}
+
+CLI::Option* add_output(CLI::App* app, std::string& output, const std::string& help) {
+  return add_parsed(app, "-o,--output", output, parse_path, help, "FILE");
+}
+
+void require_other_file(const std::string& output, const std::string& input) {
+  std::error_code ec;
+  for (const fs::path& written : {fs::path(output), evaluation::sidecar_path(output)})
+    for (const fs::path& read : {fs::path(input), evaluation::sidecar_path(input)})
+      if (fs::exists(written, ec) && fs::equivalent(written, read, ec))
+        throw Error(Errc::invalid_argument, "output " + written.string() +
+                                                " is the input, or belongs to it; give another "
+                                                "name");
+}
+
+evaluation::Json sidecar_head(const std::string& command, const std::string& input,
+                              const std::string& input_sha256) {
+  evaluation::Json head;
+  head["shedlight"] = {{"version", version}, {"commit", commit}};
+  head["command"] = command;
+  if (!input.empty()) head["input"] = {{"file", input}, {"sha256", input_sha256}};
+  return head;
+}
+
+evaluation::Json axis_json(const evaluation::Axis& axis) {
+  evaluation::Json json{{"first", axis.front()}, {"last", axis.back()}, {"count", axis.size()}};
+  if (axis.size() > 1)
+    json["step"] = (axis.back() - axis.front()) / static_cast<double>(axis.size() - 1);
+  return json;
+}
+
+}  // namespace apps

@@ -1,0 +1,43 @@
+// A response read back for evaluation: the CSV, what its sidecar says, and what the user overrides.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "evaluation/peaks.h"
+#include "evaluation/period_fit.h"
+#include "evaluation/writers/output_file.h"
+
+namespace apps {
+
+/// A response, its plane of incidence and where to look for peaks.
+struct ResponseInput {
+  evaluation::ResponseMatrix response;
+  evaluation::PlaneOfIncidence plane;
+  evaluation::PeakSearch search;
+  evaluation::Json sidecar;  ///< null where there is none
+  std::string sha256;
+
+  std::vector<evaluation::Peak> peaks() const { return find_peaks(response, plane, search); }
+  /// The rounding of the peaks' angles: the grid's step, or 0 where they are refined.
+  double angle_step_deg() const;
+  /// What was resolved, for the sidecar of what is made from it.
+  evaluation::Json parameters() const;
+};
+
+/// The options that `peaks`, `period` and `plot` share.
+struct ResponseOptions {
+  std::string file;
+  std::optional<brdf::Angle> theta_i, phi_i, phi_r;
+  std::optional<brdf::Length> sigma;
+  std::optional<std::pair<brdf::Angle, brdf::Angle>> window;
+  std::optional<evaluation::Refinement> refinement;
+  evaluation::PeakSearch search;
+
+  void add_to(CLI::App* app);
+  /// Throws Errc::bad_input naming the option where neither it nor the sidecar gives a value.
+  ResponseInput read() const;
+};
+
+}  // namespace apps

@@ -1,0 +1,101 @@
+// The one header that knows FFTW.
+#pragma once
+
+#include <fftw3.h>
+
+#include <complex>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <new>
+#include <span>
+
+#include "brdf/error.h"
+
+namespace brdf {
+
+namespace detail {
+
+struct FftwFree {
+  void operator()(void* memory) const { fftw_free(memory); }
+};
+
+template <class T>
+using FftwArray = std::unique_ptr<T[], FftwFree>;
+
+/// Memory with the alignment that FFTW plans count on.
+template <class T>
+FftwArray<T> fftw_array(std::size_t count) {
+  auto* memory = static_cast<T*>(fftw_malloc(sizeof(T) * count));
+  if (memory == nullptr) throw std::bad_alloc();
+  return FftwArray<T>(memory);
+}
+
+struct FftwDestroyPlan {
+  void operator()(fftw_plan plan) const {
+    const std::scoped_lock lock(mutex());
+    fftw_destroy_plan(plan);
+  }
+  /// FFTW's planner is not thread-safe; its execution is.
+  static std::mutex& mutex() {
+    static std::mutex planner;
+    return planner;
+  }
+};
+
+using FftwPlan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, FftwDestroyPlan>;
+
+}  // namespace detail
+
+/// Two-dimensional transform of real samples with the plus sign,
+/// F(j, l) = sum_{r, c} s(r, c) exp(+2 pi i (j r / rows + l c / cols)), not normalised.
+///
+/// Planned with FFTW_ESTIMATE, so that results are bit-identical from run to run. Fill `samples`,
+/// call `transform` as often as wanted (it keeps the samples), read any bin; bins repeat with the
+/// period of the grid. One object serves one thread.
+class RealFourier2d {
+ public:
+  RealFourier2d(int rows, int cols)
+      : rows_(rows),
+        cols_(cols),
+        samples_(detail::fftw_array<double>(static_cast<std::size_t>(rows) * cols)),
+        half_(detail::fftw_array<std::complex<double>>(static_cast<std::size_t>(rows) *
+                                                       half_cols())) {
+    const std::scoped_lock lock(detail::FftwDestroyPlan::mutex());
+    plan_.reset(fftw_plan_dft_r2c_2d(rows, cols, samples_.get(),
+                                     reinterpret_cast<fftw_complex*>(half_.get()),
+                                     FFTW_ESTIMATE | FFTW_PRESERVE_INPUT));
+    if (!plan_) throw std::bad_alloc();
+  }
+
+  std::span<double> samples() { return {samples_.get(), static_cast<std::size_t>(rows_) * cols_}; }
+
+  void transform() { fftw_execute(plan_.get()); }
+
+  /// F(j, l) for any integers. FFTW's real transform has the minus sign and stores half of it;
+  /// for real samples the plus sign is its conjugate, the other half its mirror.
+  std::complex<double> bin(long j, long l) const {
+    const long row = wrap(j, rows_), col = wrap(l, cols_);
+    if (col < half_cols()) return std::conj(half_[row * half_cols() + col]);
+    return half_[wrap(-row, rows_) * half_cols() + (cols_ - col)];
+  }
+
+  /// Bytes that an object for this grid takes.
+  static std::size_t bytes(std::size_t rows, std::size_t cols) {
+    return rows * cols * sizeof(double) + rows * (cols / 2 + 1) * sizeof(std::complex<double>);
+  }
+
+ private:
+  long half_cols() const { return cols_ / 2 + 1; }
+  static long wrap(long index, long count) {
+    const long remainder = index % count;
+    return remainder < 0 ? remainder + count : remainder;
+  }
+
+  int rows_, cols_;
+  detail::FftwArray<double> samples_;
+  detail::FftwArray<std::complex<double>> half_;
+  detail::FftwPlan plan_;
+};
+
+}  // namespace brdf

@@ -1,0 +1,18 @@
+# Flags of this project's own code, kept off its users: link shedlight_options privately.
+add_library(shedlight_options INTERFACE)
+target_compile_features(shedlight_options INTERFACE cxx_std_20)
+# Contraction would make results depend on the instruction set.
+target_compile_options(shedlight_options INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
+                       -ffp-contract=off)
+
+option(SHEDLIGHT_WERROR "Treat warnings as errors" OFF)
+if(SHEDLIGHT_WERROR)
+  target_compile_options(shedlight_options INTERFACE -Werror)
+endif()
+
+set(SHEDLIGHT_SANITIZE "" CACHE STRING "Sanitizers to build with, e.g. address,undefined")
+if(SHEDLIGHT_SANITIZE)
+  add_compile_options(-fsanitize=${SHEDLIGHT_SANITIZE} -fno-sanitize-recover=all
+                      -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${SHEDLIGHT_SANITIZE})
+endif()

@@ -1,0 +1,55 @@
+// The table of amplitude methods, each behind one virtual call per batch.
+#pragma once
+
+#include <complex>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "brdf/amplitude.h"
+
+namespace evaluation {
+
+/// A plan of any method.
+class Amplitude {
+ public:
+  virtual ~Amplitude() = default;
+  virtual void evaluate(std::span<const brdf::Query> queries,
+                        std::span<std::complex<double>> amplitudes) const = 0;
+  virtual brdf::PlanReport report() const = 0;
+};
+
+/// The knobs of all methods; a method takes those it knows.
+struct MethodSettings {
+  std::optional<int> terms;
+  std::optional<double> radius_sigma_f;
+};
+
+/// One row of the table.
+struct Method {
+  std::string_view name;
+  std::vector<brdf::SurfaceModel> models;  ///< supported, the default first
+  bool is_series;                          ///< takes terms and a window radius
+  std::function<std::size_t(const brdf::Surface&, const brdf::QueryBounds&, const MethodSettings&)>
+      bytes;
+  std::function<std::unique_ptr<Amplitude>(const brdf::Surface&, const brdf::QueryBounds&,
+                                           const MethodSettings&)>
+      plan;
+};
+
+std::span<const Method> methods();
+
+/// Throws Errc::invalid_argument with the names there are.
+const Method& method_named(std::string_view name);
+
+std::string_view name_of(brdf::SurfaceModel model);
+
+/// The model asked for, or the method's default. Throws Errc::invalid_argument naming a method that
+/// has the model where this one has not.
+brdf::SurfaceModel surface_model(const Method& method, std::optional<brdf::SurfaceModel> wanted);
+
+}  // namespace evaluation

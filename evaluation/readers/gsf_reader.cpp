@@ -1,0 +1,136 @@
+// Gwyddion Simple Field: "Gwyddion Simple Field 1.0", lines `Key = value`, one to four NUL bytes up
+// to a multiple of four, then rows of 32-bit little-endian floats, the first row first.
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <map>
+
+#include "brdf/error.h"
+#include "evaluation/lengths.h"
+#include "evaluation/readers/height_reader.h"
+
+namespace evaluation::detail {
+namespace {
+
+using brdf::Errc;
+using brdf::Error;
+using brdf::Length;
+
+constexpr std::string_view magic = "Gwyddion Simple Field 1.0\n";
+
+class GsfHeader {
+ public:
+  GsfHeader(std::string_view lines, const std::string& name) : name_(name) {
+    int number = 1;
+    while (!lines.empty()) {
+      ++number;
+      const std::size_t end = lines.find('\n');
+      const std::string_view line = lines.substr(0, end);
+      lines = end == std::string_view::npos ? std::string_view{} : lines.substr(end + 1);
+      const std::size_t equals = line.find('=');
+      if (equals == std::string_view::npos)
+        refuse("line " + std::to_string(number) + " of the header has no \"=\"");
+      values_[std::string(trimmed(line.substr(0, equals)))] = trimmed(line.substr(equals + 1));
+    }
+  }
+
+  std::uint64_t count(const std::string& key) const {
+    const auto found = values_.find(key);
+    if (found == values_.end()) refuse("header has no " + key);
+    return parsed<std::uint64_t>(key, found->second);
+  }
+
+  /// A positive length given as a number and a unit on two lines; empty where either is missing.
+  std::optional<Length> length(const std::string& key, const std::string& unit_key) const {
+    const auto value = values_.find(key);
+    const std::optional<Length> one = unit(unit_key);
+    if (value == values_.end() || !one) return std::nullopt;
+    const double number = parsed<double>(key, value->second);
+    if (!(number > 0 && std::isfinite(number)))
+      refuse(key + " is " + std::string(value->second) + ", must be > 0");
+    return Length::um(number * one->um());
+  }
+
+  std::optional<Length> unit(const std::string& key) const {
+    const auto found = values_.find(key);
+    if (found == values_.end() || found->second.empty()) return std::nullopt;
+    const std::optional<Length> unit = length_unit(found->second);
+    if (!unit)
+      refuse(key + " \"" + std::string(found->second) + "\" is no length; known are " +
+             length_unit_names());
+    return unit;
+  }
+
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw Error(Errc::bad_input, name_ + ": GSF: " + what);
+  }
+
+ private:
+  static std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blank = " \t\r";
+    const std::size_t first = text.find_first_not_of(blank);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blank) - first + 1);
+  }
+
+  template <class T>
+  T parsed(const std::string& key, std::string_view text) const {
+    T value{};
+    const auto [end, ec] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (ec != std::errc{} || end != text.data() + text.size())
+      refuse(key + " is \"" + std::string(text.substr(0, 40)) + "\", not a number");
+    return value;
+  }
+
+  const std::string& name_;
+  std::map<std::string, std::string_view> values_;
+};
+
+float little_endian_float(const char* bytes) {
+  std::uint32_t bits = 0;
+  for (int i = 3; i >= 0; --i) bits = bits << 8 | static_cast<unsigned char>(bytes[i]);
+  return std::bit_cast<float>(bits);
+}
+
+}  // namespace
+
+bool is_gsf(std::string_view bytes) {
+  return bytes.starts_with(magic);
+}
+
+RawHeights decode_gsf(std::string_view bytes, const std::string& name) {
+  const std::size_t header_end = bytes.find('\0');
+  if (header_end == std::string_view::npos)
+    throw Error(Errc::bad_input, name + ": GSF: header does not end; file is truncated");
+  std::string_view lines = bytes.substr(magic.size(), header_end - magic.size());
+  const GsfHeader header(lines, name);
+  const std::uint64_t cols = header.count("XRes"), rows = header.count("YRes");
+  require_grid(cols, rows, name);
+
+  const std::size_t data = (header_end / 4 + 1) * 4;
+  const std::size_t expected = data + 4 * cols * rows;
+  if (bytes.size() != expected)
+    header.refuse(std::to_string(bytes.size()) + " bytes, " + std::to_string(cols) + " x " +
+                  std::to_string(rows) + " pixels need " + std::to_string(expected) +
+                  (bytes.size() < expected ? ": file is truncated" : ""));
+
+  RawHeights raw;
+  raw.format = "Gwyddion Simple Field, 32 bit float";
+  raw.unit = header.unit("ZUnits");
+  const auto pixel = [&](const char* key, std::uint64_t count) -> std::optional<Length> {
+    const std::optional<Length> side = header.length(key, "XYUnits");
+    if (!side) return std::nullopt;
+    return Length::um(side->um() / static_cast<double>(count));
+  };
+  raw.pixel_x = pixel("XReal", cols);
+  raw.pixel_y = pixel("YReal", rows);
+  raw.values.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(cols));
+  for (Eigen::Index i = 0; i < raw.values.size(); ++i)
+    raw.values.data()[i] = static_cast<double>(
+        little_endian_float(bytes.data() + data + 4 * static_cast<std::size_t>(i)));
+  return raw;
+}
+
+}  // namespace evaluation::detail

@@ -1,0 +1,56 @@
+#include <catch2/catch.hpp>
+
+#include "tests/cli/refusal.h"
+
+TEST_CASE("help at every level exits 0 and shows a worked example", "[cli][help]") {
+  const Scratch folder;
+  for (const std::string command :
+       {"", "synth ", "info ", "sweep ", "peaks ", "period ", "plot ", "validate "}) {
+    for (const std::string help : {"--help", "-h"}) {
+      const Outcome outcome = folder.shedlight(command + help);
+      INFO(command << help);
+      CHECK(outcome.exit_code == 0);
+      CHECK(outcome.err == "");
+      CHECK_THAT(outcome.out,
+                 Catch::Contains("Example") && Catch::Contains("shedlight " + command));
+    }
+  }
+}
+
+TEST_CASE("the version is printed on standard output", "[cli][help]") {
+  const Scratch folder;
+  const Outcome outcome = folder.shedlight("--version");
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.err == "");
+  CHECK_THAT(outcome.out, Catch::Matches("shedlight [0-9]+\\.[0-9]+\\.[0-9]+.*\n"));
+}
+
+TEST_CASE("without a subcommand nothing is done and the exit code is 2", "[cli][refusal]") {
+  const Scratch folder;
+  check_refused(folder, "", 2, {"subcommand"});
+}
+
+TEST_CASE("an unknown subcommand or option is named and refused", "[cli][refusal]") {
+  const Scratch folder;
+  check_refused(folder, "frobnicate", 2, {"frobnicate"});
+  check_refused(folder, "frobnicate --help-me", 2, {"frobnicate"});
+  check_refused(folder, "--frobnicate", 2, {"--frobnicate"});
+  for (const std::string command :
+       {"synth flat --size 9um --pixels 9 -o older.csv", "info x.png",
+        "sweep x.png --theta-i 75deg --theta-r -5deg --lambda 1um", "peaks R.csv", "period R.csv",
+        "plot R.csv -o older.csv", "validate a.csv b.csv --max-error 1"})
+    check_refused(folder, command + " --frobnicate", 2, {"--frobnicate"});
+}
+
+TEST_CASE("a missing argument is named and refused", "[cli][refusal]") {
+  const Scratch folder;
+  check_refused(folder, "sweep g.gsf --theta-r -50:-25:1deg --lambda 550nm", 2, {"--theta-i"});
+  check_refused(folder, "sweep g.gsf --theta-i 75deg --lambda 550nm", 2, {"--theta-r"});
+  check_refused(folder, "sweep g.gsf --theta-i 75deg --theta-r -50:-25:1deg", 2, {"--lambda"});
+  check_refused(folder, "sweep --theta-i 75deg --theta-r -5deg --lambda 550nm", 2, {"file"});
+  check_refused(folder, "info", 2, {"file"});
+  check_refused(folder, "plot R.csv", 2, {"--output"});
+  check_refused(folder, "validate a.csv b.csv", 2, {"--max-error"});
+  check_refused(folder, "synth blazed --period 1um --height 1um --size 9um --pixels 9", 2,
+                {"--output"});
+}

@@ -1,0 +1,58 @@
+// Runs the program under test, or any other, without a shell.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+using Words = std::vector<std::string>;
+
+/// The words of a command, at blanks: "sweep g.gsf -o R.csv".
+Words words(const std::string& command);
+/// A command and one more argument, which may hold anything.
+Words operator+(Words command, const std::string& argument);
+
+struct Outcome {
+  int exit_code;  ///< 128 + signal where the program was killed
+  std::string out, err;
+};
+
+/// Variables to set, or with an empty value to remove.
+using Environment = std::map<std::string, std::optional<std::string>>;
+
+/// A folder of its own, removed at the end, in which commands run.
+class Scratch {
+ public:
+  Scratch();
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  ~Scratch();
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+  void write(const std::string& name, const std::string& bytes) const;
+  /// The bytes of a file. Throws std::runtime_error where there is none.
+  std::string read(const std::string& name) const;
+  bool holds(const std::string& name) const;
+  /// All names below the folder with the bytes of files and the targets of links.
+  std::map<std::string, std::string> contents() const;
+
+  /// Runs `shedlight` in the folder: input from /dev/null, standard output and error caught.
+  Outcome shedlight(const Words& arguments, const Environment& changes = {}) const;
+  Outcome shedlight(const std::string& arguments, const Environment& changes = {}) const {
+    return shedlight(words(arguments), changes);
+  }
+  /// The same with standard output into a file that exists, for instance /dev/full.
+  Outcome shedlight_into(const std::string& file, const std::string& arguments) const;
+  /// Runs another program, found on the PATH.
+  Outcome run(const Words& command) const;
+
+  /// Runs `shedlight` for what later commands need; throws with its message where it fails.
+  void prepare(const std::string& arguments) const;
+
+ private:
+  std::filesystem::path path_;
+};

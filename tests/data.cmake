@@ -1,0 +1,17 @@
+# The files of data/ are what data/generate makes, byte by byte.
+# cmake -DPROGRAM=... -DSOURCE_DIR=... -DWORK_DIR=... -P data.cmake
+file(REMOVE_RECURSE ${WORK_DIR})
+file(MAKE_DIRECTORY ${WORK_DIR})
+execute_process(COMMAND ${SOURCE_DIR}/data/generate ${PROGRAM} ${WORK_DIR} COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB stored RELATIVE ${SOURCE_DIR}/data ${SOURCE_DIR}/data/*.gsf)
+file(GLOB made RELATIVE ${WORK_DIR} ${WORK_DIR}/*)
+if(NOT stored STREQUAL made OR NOT stored)
+  message(FATAL_ERROR "stored: ${stored}; made: ${made}")
+endif()
+foreach(name ${stored})
+  file(SHA256 ${SOURCE_DIR}/data/${name} a)
+  file(SHA256 ${WORK_DIR}/${name} b)
+  if(NOT a STREQUAL b)
+    message(FATAL_ERROR "${name} differs from what data/generate makes")
+  endif()
+endforeach()

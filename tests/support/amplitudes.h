@@ -1,0 +1,44 @@
+// Short ways from a method and a geometry to amplitudes.
+#pragma once
+
+#include <complex>
+#include <span>
+#include <vector>
+
+#include "brdf/amplitude.h"
+#include "brdf/directions.h"
+
+using Amplitudes = std::vector<std::complex<double>>;
+
+/// (k u, k v, k w) of two directions.
+inline brdf::Query query(const brdf::Direction& omega_i, const brdf::Direction& omega_r,
+                         brdf::Length wavelength) {
+  const Eigen::Vector3d q =
+      brdf::wavenumber_per_um(wavelength) * brdf::scattering_vector(omega_i, omega_r);
+  return {q.x(), q.y(), q.z()};
+}
+
+/// The query in the plane of incidence y = 0 with signed angles.
+inline brdf::Query query_in_plane(brdf::Angle theta_i, brdf::Angle theta_r,
+                                  brdf::Length wavelength) {
+  return query(brdf::direction(theta_i, {}), brdf::direction(theta_r, {}), wavelength);
+}
+
+/// Where order m of a grating along x lies, at a given |c|.
+inline brdf::Query order_query(int order, double period_um, double c_per_um) {
+  return {-2 * brdf::pi * order / period_um, 0, -c_per_um};
+}
+
+template <class Method>
+Amplitudes amplitudes(const Method& method, const brdf::Surface& surface,
+                      const std::vector<brdf::Query>& queries, double tolerance = 1e-14) {
+  Amplitudes result(queries.size());
+  method.plan(surface, brdf::bounds_of(queries, tolerance)).evaluate(queries, result);
+  return result;
+}
+
+template <class Method>
+std::complex<double> amplitude(const Method& method, const brdf::Surface& surface,
+                               const brdf::Query& query, double tolerance = 1e-14) {
+  return amplitudes(method, surface, {query}, tolerance).front();
+}
