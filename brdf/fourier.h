@@ -98,4 +98,36 @@ class RealFourier2d {
   detail::FftwPlan plan_;
 };
 
+/// One-dimensional transform of complex samples with the plus sign, in place, not normalised:
+/// F(k) = sum_j s(j) exp(+2 pi i j k / count). One object serves one thread.
+class ComplexFourier1d {
+ public:
+  explicit ComplexFourier1d(std::size_t count)
+      : count_(count), data_(detail::fftw_array<std::complex<double>>(count)) {
+    const std::scoped_lock lock(detail::FftwDestroyPlan::mutex());
+    auto* data = reinterpret_cast<fftw_complex*>(data_.get());
+    plan_.reset(
+        fftw_plan_dft_1d(static_cast<int>(count), data, data, FFTW_BACKWARD, FFTW_ESTIMATE));
+    if (!plan_) throw std::bad_alloc();
+  }
+
+  std::span<std::complex<double>> data() { return {data_.get(), count_}; }
+  void transform() { fftw_execute(plan_.get()); }
+
+ private:
+  std::size_t count_;
+  detail::FftwArray<std::complex<double>> data_;
+  detail::FftwPlan plan_;
+};
+
+/// Smallest even length >= minimum without a prime factor above 7: fast to transform.
+inline std::size_t fast_fourier_length(std::size_t minimum) {
+  for (std::size_t length = minimum + minimum % 2;; length += 2) {
+    std::size_t rest = length;
+    for (const std::size_t prime : {2, 3, 5, 7})
+      while (rest > 1 && rest % prime == 0) rest /= prime;
+    if (rest <= 1) return length;
+  }
+}
+
 }  // namespace brdf

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "brdf/gaussian_window.h"
@@ -11,8 +12,15 @@ namespace brdf {
 
 /// How the surface goes on beyond the measured patch.
 enum class SurfaceModel {
-  isolated,  ///< the patch alone; the window is cut at its edge
-  periodic,  ///< the patch repeated without end under the whole window
+  isolated,    ///< the patch alone; the window is cut at its edge
+  periodic,    ///< the patch repeated without end under the whole window
+  replicated,  ///< a finite number of copies side by side, evenly lit: no window
+};
+
+/// Copies of the patch along each axis in the replicated model, >= 1; they lie symmetrically about
+/// the origin.
+struct Replicas {
+  int x = 1, y = 1;
 };
 
 /// Where x = y = 0 and the window's centre lie.
@@ -27,14 +35,20 @@ struct Surface {
   GaussianWindow window;
   SurfaceModel model;
   Origin origin = Origin::patch_centre;
+  Replicas replicas = {};  ///< of the replicated model; the others ignore it
 };
+
+/// Weight of the illumination along one axis: the coherence window, or 1 for the replicated model.
+inline double illumination(const Surface& surface, double x_um) {
+  return surface.model == SurfaceModel::replicated ? 1.0 : surface.window.spatial(x_um);
+}
 
 /// One axis of a surface: the positions of its pixels and, per pixel, of its repetitions.
 struct SurfaceAxis {
   Eigen::Index count;  ///< pixels
   double pixel_um;
-  double origin;  ///< pixel index where x = 0
-  int copies;     ///< repetitions on each side: 0 for an isolated patch
+  double origin;              ///< pixel index where x = 0
+  int first_copy, last_copy;  ///< repetitions: 0 to 0 for an isolated patch
 
   /// x [um] of a pixel in the repetition `copy`.
   double position_um(Eigen::Index index, int copy = 0) const {
@@ -48,25 +62,32 @@ namespace detail {
 /// Beyond 9 sigma the window is below 3e-18 of its peak, under the rounding of any sum over it.
 inline constexpr double window_reach_sigma = 9;
 
-inline SurfaceAxis surface_axis(const Surface& surface, Eigen::Index count, double pixel_um) {
-  const double length_um = pixel_um * static_cast<double>(count);
-  const double origin =
-      surface.origin == Origin::patch_centre ? static_cast<double>(count - 1) / 2 : 0.0;
-  const int copies =
-      surface.model == SurfaceModel::isolated
-          ? 0
-          : 1 + static_cast<int>(window_reach_sigma * surface.window.sigma_um() / length_um);
-  return {count, pixel_um, origin, copies};
+inline SurfaceAxis surface_axis(const Surface& surface, Eigen::Index count, double pixel_um,
+                                int replicas) {
+  if (surface.model == SurfaceModel::replicated && replicas < 1)
+    throw Error(Errc::invalid_argument, "replicas " + std::to_string(replicas) + " must be >= 1");
+  int first_copy = 0, last_copy = 0;
+  if (surface.model == SurfaceModel::replicated) last_copy = replicas - 1;
+  if (surface.model == SurfaceModel::periodic) {
+    const double length_um = pixel_um * static_cast<double>(count);
+    last_copy = 1 + static_cast<int>(window_reach_sigma * surface.window.sigma_um() / length_um);
+    first_copy = -last_copy;
+  }
+  const double middle = (static_cast<double>(count) * (1 + first_copy + last_copy) - 1) / 2;
+  return {count, pixel_um, surface.origin == Origin::patch_centre ? middle : 0.0, first_copy,
+          last_copy};
 }
 
 }  // namespace detail
 
 inline SurfaceAxis x_axis(const Surface& surface) {
-  return detail::surface_axis(surface, surface.heights->cols(), surface.heights->dx_um());
+  return detail::surface_axis(surface, surface.heights->cols(), surface.heights->dx_um(),
+                              surface.replicas.x);
 }
 
 inline SurfaceAxis y_axis(const Surface& surface) {
-  return detail::surface_axis(surface, surface.heights->rows(), surface.heights->dy_um());
+  return detail::surface_axis(surface, surface.heights->rows(), surface.heights->dy_um(),
+                              surface.replicas.y);
 }
 
 /// Sums of the window and of its square along one axis, over the support of the surface model.
@@ -74,11 +95,11 @@ struct WindowSums {
   double g, g_squared;
 };
 
-inline WindowSums window_sums(const GaussianWindow& window, const SurfaceAxis& axis) {
+inline WindowSums window_sums(const Surface& surface, const SurfaceAxis& axis) {
   WindowSums sums{0, 0};
-  for (int copy = -axis.copies; copy <= axis.copies; ++copy)
+  for (int copy = axis.first_copy; copy <= axis.last_copy; ++copy)
     for (Eigen::Index index = 0; index < axis.count; ++index) {
-      const double g = window.spatial(axis.position_um(index, copy));
+      const double g = illumination(surface, axis.position_um(index, copy));
       sums.g += g;
       sums.g_squared += g * g;
     }
@@ -89,7 +110,7 @@ inline WindowSums window_sums(const GaussianWindow& window, const SurfaceAxis& a
 /// model. With it abs(P)^2 / A of the BRDF is abs(a)^2 times this area.
 inline double coherence_area_um2(const Surface& surface) {
   const auto along = [&](const SurfaceAxis& axis) {
-    const WindowSums sums = window_sums(surface.window, axis);
+    const WindowSums sums = window_sums(surface, axis);
     return axis.pixel_um * sums.g * sums.g / sums.g_squared;
   };
   return along(x_axis(surface)) * along(y_axis(surface));

@@ -1,6 +1,6 @@
 include(CMakePackageConfigHelpers)
 
-install(TARGETS shedlight_brdf shedlight_evaluation EXPORT shedlightTargets
+install(TARGETS shedlight_brdf shedlight_kernels shedlight_evaluation EXPORT shedlightTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
         FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/shedlight)

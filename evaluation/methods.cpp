@@ -3,15 +3,19 @@
 #include <algorithm>
 #include <array>
 
+#include "brdf/chebyshev_series.h"
 #include "brdf/direct_sum.h"
 #include "brdf/taylor_series.h"
+#include "evaluation/kernels/phase_sum.h"
+#include "evaluation/kernels/series_kernels.h"
 
 namespace evaluation {
 namespace {
 
 using brdf::SurfaceModel;
 
-constexpr std::array models{SurfaceModel::isolated, SurfaceModel::periodic};
+constexpr std::array models{SurfaceModel::isolated, SurfaceModel::periodic,
+                            SurfaceModel::replicated};
 
 template <brdf::AmplitudePlan Plan>
 class PlanHolder final : public Amplitude {
@@ -27,16 +31,82 @@ class PlanHolder final : public Amplitude {
   Plan plan_;
 };
 
+using Json = nlohmann::ordered_json;
+
+std::string_view name_of(brdf::SeriesPath path) {
+  switch (path) {
+    case brdf::SeriesPath::direct_sum:
+      return "direct sum";
+    case brdf::SeriesPath::in_plane:
+      return "in plane, 1-D transforms";
+    case brdf::SeriesPath::general:
+      return "general, 2-D transforms";
+  }
+  return "?";
+}
+
+Json explained(const brdf::ChebyshevSeries& method, const brdf::Surface& surface,
+               const brdf::QueryBounds& bounds) {
+  const brdf::SeriesPlanParts parts = method.explain(surface, bounds);
+  Json json{{"path", name_of(parts.path)}};
+  if (parts.path != brdf::SeriesPath::direct_sum) {
+    json["terms"] = parts.terms;
+    json["storage"] =
+        parts.storage == brdf::TableStorage::single_precision ? "single precision" : "double";
+    json["grid"] = Json::array();
+    for (const auto& axis : parts.axes)
+      if (axis.fft_length > 0)
+        json["grid"].push_back({{"kernel_width", axis.width},
+                                {"oversampling", axis.oversampling},
+                                {"transform_length", axis.fft_length},
+                                {"points_kept", axis.stored}});
+  }
+  json["error"] = {{"series", parts.series_error},
+                   {"kernel", parts.kernel_error},
+                   {"storage", parts.storage_error},
+                   {"rounding", parts.rounding_error}};
+  json["expected_seconds_one_thread"] =
+      parts.plan_s + static_cast<double>(bounds.count) * parts.query_s;
+  return json;
+}
+
+Json explained(const brdf::DirectSum&, const brdf::Surface& surface,
+               const brdf::QueryBounds& bounds) {
+  // Nanoseconds for a sine and cosine, vectorised.
+  constexpr double phasor_s = 1e-9;
+  return {{"path", "direct sum"},
+          {"expected_seconds_one_thread",
+           phasor_s * static_cast<double>(bounds.count) *
+               static_cast<double>(surface.heights->heights_um().size())}};
+}
+
+Json explained(const brdf::TaylorSeries& method, const brdf::Surface& surface,
+               const brdf::QueryBounds& bounds) {
+  return {{"path", "2-D transforms of the powers of the height"},
+          {"terms", method.terms(surface, bounds)},
+          {"window_radius_sigma_f", method.radius(surface, bounds)}};
+}
+
 /// make: MethodSettings -> an AmplitudeMethod.
 template <class Make>
-Method row(std::string_view name, bool is_series, Make make) {
+Method row(std::string_view name, bool is_taylor, Make make) {
   using MethodType = decltype(make(MethodSettings{}));
   std::vector<SurfaceModel> supported;
   std::copy_if(models.begin(), models.end(), std::back_inserter(supported),
                [](SurfaceModel model) { return MethodType::supports(model); });
-  return {name, supported, is_series,
+  return {name,
+          supported,
+          is_taylor,
           [make](const brdf::Surface& surface, const brdf::QueryBounds& bounds,
                  const MethodSettings& settings) { return make(settings).bytes(surface, bounds); },
+          [make](const brdf::Surface& surface, const brdf::QueryBounds& bounds,
+                 const MethodSettings& settings) {
+            const auto method = make(settings);
+            nlohmann::ordered_json parts = explained(method, surface, bounds);
+            parts["bytes"] = method.bytes(surface, bounds);
+            parts["queries"] = bounds.count;
+            return parts;
+          },
           [make](const brdf::Surface& surface, const brdf::QueryBounds& bounds,
                  const MethodSettings& settings) -> std::unique_ptr<Amplitude> {
             auto plan = make(settings).plan(surface, bounds);
@@ -48,7 +118,14 @@ Method row(std::string_view name, bool is_series, Make make) {
 
 std::span<const Method> methods() {
   static const std::array table{
-      row("direct", false, [](const MethodSettings&) { return brdf::DirectSum{}; }),
+      row("direct", false,
+          [](const MethodSettings&) { return brdf::DirectSum(vectorised_phase_kernels()); }),
+      row("auto", false,
+          [](const MethodSettings&) { return brdf::ChebyshevSeries(vectorised_kernels()); }),
+      row("chebyshev", false,
+          [](const MethodSettings&) {
+            return brdf::ChebyshevSeries(vectorised_kernels(), {brdf::SmallRequests::by_series});
+          }),
       row("taylor", true,
           [](const MethodSettings& s) {
             return brdf::TaylorSeries({s.terms, s.radius_sigma_f});
@@ -73,6 +150,8 @@ std::string_view name_of(SurfaceModel model) {
       return "isolated";
     case SurfaceModel::periodic:
       return "periodic";
+    case SurfaceModel::replicated:
+      return "replicated";
   }
   return "?";
 }

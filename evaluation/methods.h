@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "brdf/amplitude.h"
+#include "nlohmann/json.hpp"
 
 namespace evaluation {
 
@@ -33,9 +34,13 @@ struct MethodSettings {
 struct Method {
   std::string_view name;
   std::vector<brdf::SurfaceModel> models;  ///< supported, the default first
-  bool is_series;                          ///< takes terms and a window radius
+  bool is_taylor;                          ///< takes terms and a window radius
   std::function<std::size_t(const brdf::Surface&, const brdf::QueryBounds&, const MethodSettings&)>
       bytes;
+  /// What a plan will consist of, for people and sidecars; nothing is computed.
+  std::function<nlohmann::ordered_json(const brdf::Surface&, const brdf::QueryBounds&,
+                                       const MethodSettings&)>
+      explain;
   std::function<std::unique_ptr<Amplitude>(const brdf::Surface&, const brdf::QueryBounds&,
                                            const MethodSettings&)>
       plan;

@@ -4,89 +4,21 @@
 
 #include <chrono>
 #include <memory>
-#include <thread>
 
 #include "apps/commands/commands.h"
-#include "apps/console.h"
-#include "apps/options.h"
-#include "apps/quantities.h"
-#include "evaluation/sweep.h"
+#include "apps/commands/sweep_options.h"
+#include "evaluation/audit.h"
 
 namespace apps {
 namespace {
 
-using brdf::Angle;
-using brdf::Length;
-using brdf::Quantity;
-using brdf::SurfaceModel;
-using evaluation::CsvLayout;
 using evaluation::Json;
-
-enum class Preset { physical, thesis };
-
-const Choices<Quantity> quantity_choices{
-    {"power", Quantity::power}, {"relative", Quantity::relative}, {"brdf", Quantity::brdf}};
-const Choices<CsvLayout> layout_choices{{"matrix", CsvLayout::matrix},
-                                        {"long", CsvLayout::long_table}};
-const Choices<SurfaceModel> surface_choices{{"isolated", SurfaceModel::isolated},
-                                            {"periodic", SurfaceModel::periodic}};
-const Choices<Preset> preset_choices{{"physical", Preset::physical}, {"thesis", Preset::thesis}};
 
 /// 1e-6 of the flat patch's peak: far below what a scan's own heights can bear.
 constexpr double default_tolerance = 1e-6;
-/// Without a tolerance asked for, a bound above this is worth a warning.
+/// With the terms given there is no tolerance; a bound above this is worth a warning.
 constexpr double tolerable_bound = 1e-2;
-
-struct SweepOptions {
-  HeightOptions heights;
-  std::optional<Angle> theta_i;
-  Angle phi_i;
-  std::optional<Angle> phi_r;
-  std::optional<evaluation::Axis> theta_r_deg, lambda_nm;
-  std::string method = "taylor";
-  evaluation::MethodSettings settings;
-  std::optional<double> tolerance;
-  std::optional<Length> sigma;
-  std::optional<SurfaceModel> model;
-  std::optional<Quantity> quantity;
-  CsvLayout layout = CsvLayout::matrix;
-  Preset preset = Preset::physical;
-  int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  std::optional<std::size_t> memory_limit;
-  std::optional<std::chrono::duration<double>> time_limit;
-  std::string output;
-  bool strict = false, json = false;
-
-  Attainability attainability() const {
-    return strict ? Attainability::refuse : Attainability::warn;
-  }
-};
-
-/// `--preset thesis`: the sources' own evaluator; what is given beside it stays as given.
-void apply_preset(SweepOptions& options) {
-  if (options.preset != Preset::thesis) return;
-  if (!options.heights.level) options.heights.level = brdf::Level::mean;
-  if (!options.settings.radius_sigma_f) options.settings.radius_sigma_f = 4;
-  if (!options.sigma) options.sigma = Length::um(65.0 / 4);  // 4 sigma_s = 65 um
-  if (!options.model) options.model = SurfaceModel::periodic;
-  if (!options.quantity) options.quantity = Quantity::power;
-}
-
-void require_consistent(const SweepOptions& options, const evaluation::Method& method) {
-  const auto refuse = [](const std::string& what) {
-    throw brdf::Error(brdf::Errc::invalid_argument, what);
-  };
-  if (options.settings.terms && options.tolerance)
-    refuse("--terms and --tolerance exclude each other: the tolerance chooses the terms");
-  if (!method.is_series && options.settings.terms)
-    refuse("--terms has no meaning for --method " + std::string(method.name));
-  if (!method.is_series && options.settings.radius_sigma_f && options.preset != Preset::thesis)
-    refuse("--window-radius has no meaning for --method " + std::string(method.name));
-  if (options.tolerance && !(*options.tolerance > 0 && *options.tolerance < 1))
-    refuse("--tolerance " + brdf::text(*options.tolerance) + ": must lie between 0 and 1");
-  if (options.json && options.output.empty())
-    refuse("--json needs -o: both would go to standard output");
-}
+constexpr int default_audit = 32;
 
 /// Physical memory, or all there is to address where the system does not say.
 std::size_t physical_memory() {
@@ -101,7 +33,7 @@ void require_memory(std::size_t needed, const SweepOptions& options) {
     throw brdf::Error(
         brdf::Errc::over_limit,
         fmt::format("{}: the sweep needs about {:.3g} MB, the limit is {:.3g} MB "
-                    "(--memory-limit); fewer terms, a smaller range or --reduce needs less",
+                    "(--memory-limit); a smaller range, a larger tolerance or --reduce needs less",
                     options.heights.file, static_cast<double>(needed) / 1e6,
                     static_cast<double>(limit) / 1e6));
 }
@@ -121,13 +53,17 @@ void check_sampling(const evaluation::SweepRequest& request, const brdf::HeightF
       options.attainability());
 }
 
-void check_bound(const brdf::PlanReport& report, const SweepOptions& options) {
-  const double limit = options.tolerance.value_or(tolerable_bound);
-  if (report.error_bound <= limit) return;
-  report_unattained(fmt::format("{}: the error bound of the amplitude is {:.3g}, above {:.3g}{}",
-                                options.heights.file, report.error_bound, limit,
-                                options.settings.terms ? "; more --terms lower it" : ""),
-                    options.attainability());
+/// Says where the error stated, or the error found, is above what was asked for.
+void check_error(const char* what, double error, const SweepOptions& options) {
+  const double limit =
+      options.settings.terms ? tolerable_bound : options.tolerance.value_or(default_tolerance);
+  // A window radius given by hand leaves out what it leaves out: no tolerance was asked for.
+  const bool radius_rules = options.settings.radius_sigma_f && !options.tolerance;
+  if (error <= (radius_rules ? tolerable_bound : limit)) return;
+  report_unattained(
+      fmt::format("{}: {} of the amplitude is {:.3g}, above {:.3g}{}", options.heights.file, what,
+                  error, limit, options.settings.terms ? "; more --terms lower it" : ""),
+      options.attainability());
 }
 
 Json parameters_json(const SweepOptions& options, const evaluation::SweepRequest& request,
@@ -146,9 +82,12 @@ Json parameters_json(const SweepOptions& options, const evaluation::SweepRequest
   p["phi_r_deg"] = request.phi_r.deg();
   p["theta_r_deg"] = axis_json(request.theta_r_deg);
   p["lambda_nm"] = axis_json(request.lambda_nm);
-  p["method"] = options.method;
+  p["method"] = *options.method;
   p["surface"] = evaluation::name_of(surface.model);
-  p["sigma_um"] = surface.window.sigma_um();
+  if (surface.model == brdf::SurfaceModel::replicated)
+    p["replicas"] = {surface.replicas.x, surface.replicas.y};
+  else
+    p["sigma_um"] = surface.window.sigma_um();
   p["window_centre"] = surface.origin == brdf::Origin::patch_centre ? "centre" : "corner";
   if (options.settings.terms)
     p["terms"] = *options.settings.terms;
@@ -161,40 +100,61 @@ Json parameters_json(const SweepOptions& options, const evaluation::SweepRequest
   return p;
 }
 
-evaluation::SweepRequest request_of(const SweepOptions& options) {
-  evaluation::SweepRequest request{*options.theta_i, options.phi_i,
-                                   options.phi_r.value_or(options.phi_i), *options.lambda_nm,
-                                   *options.theta_r_deg};
-  request.quantity = options.quantity.value_or(Quantity::relative);
-  if (options.preset == Preset::thesis) request.depth = evaluation::DepthFrequency::unit_w;
-  evaluation::require_valid(request);
-  return request;
+/// "path  in plane", one part of a plan a line, nested ones by their names in a row.
+std::string for_people(const Json& plan, const std::string& prefix = "") {
+  std::string text;
+  for (const auto& [key, value] : plan.items()) {
+    const std::string name = prefix.empty() ? key : prefix + " " + key;
+    if (value.is_structured())
+      text += for_people(value, name);
+    else
+      text += fmt::format("{:<34}{}\n", name,
+                          value.is_string()         ? value.get<std::string>()
+                          : value.is_number_float() ? fmt::format("{:.3g}", value.get<double>())
+                                                    : value.dump());
+  }
+  return text;
+}
+
+/// After the run: a sample of cells against the direct sum. Nothing to learn from auditing the
+/// direct sum by itself.
+Json audited(const evaluation::SweepRequest& request, const brdf::Surface& surface,
+             const evaluation::Amplitude& amplitude, const evaluation::RunLimits& limits,
+             const SweepOptions& options) {
+  const int wanted = *options.method == "direct" ? 0 : options.audit.value_or(default_audit);
+  const std::size_t cells = std::min(static_cast<std::size_t>(wanted), request.cells());
+  if (cells == 0) return {{"cells", 0}};
+  const evaluation::Audit found = audit(request, surface, amplitude, cells, limits);
+  // What the bound owned up to has been said before the run.
+  if (!(found.worst_error <= amplitude.report().error_bound))
+    check_error("the error found by the audit", found.worst_error, options);
+  return {{"cells", found.cells},
+          {"worst_error", found.worst_error},
+          {"worst_lambda_nm", found.lambda_nm},
+          {"worst_theta_r_deg", found.theta_r_deg}};
 }
 
 void run(SweepOptions options) {
   const auto start = std::chrono::steady_clock::now();
-  apply_preset(options);
-  const evaluation::Method& method = evaluation::method_named(options.method);
-  require_consistent(options, method);
-  const SurfaceModel model = evaluation::surface_model(method, options.model);
-  const evaluation::SweepRequest request = request_of(options);
-
+  options.resolve();
+  const evaluation::Method& method = evaluation::method_named(*options.method);
+  const evaluation::SweepRequest request = options.request();
   std::optional<evaluation::OutputWithSidecar> output;
-  if (!options.output.empty()) {
+  if (!options.output.empty() && !options.explain) {
     require_other_file(options.output, options.heights.file);
     output.emplace(options.output);
   }
   const evaluation::HeightFile input = options.heights.read();
   const brdf::HeightField& field = input.field;
-  const Length sigma =
-      options.sigma.value_or(Length::um(std::min(field.width_um(), field.height_um()) / 4));
-  const brdf::Surface surface{
-      &field, brdf::GaussianWindow(sigma), model,
-      options.preset == Preset::thesis ? brdf::Origin::patch_corner : brdf::Origin::patch_centre};
-  check_sampling(request, field, options);
-
+  const brdf::Surface surface = options.surface(field);
   const brdf::QueryBounds bounds =
       bounds_of(request, options.tolerance.value_or(default_tolerance));
+  if (options.explain) {
+    const Json plan = method.explain(surface, bounds, options.settings);
+    return print(options.json ? plan.dump(2) + "\n" : for_people(plan));
+  }
+
+  check_sampling(request, field, options);
   // The matrix, and its CSV at about 24 bytes a number.
   const std::size_t response_bytes = request.cells() * (sizeof(double) + 24);
   require_memory(method.bytes(surface, bounds, options.settings) + response_bytes +
@@ -202,7 +162,7 @@ void run(SweepOptions options) {
                  options);
   const auto amplitude = method.plan(surface, bounds, options.settings);
   const brdf::PlanReport report = amplitude->report();
-  check_bound(report, options);
+  check_error("the error bound", report.error_bound, options);
 
   evaluation::RunLimits limits;
   limits.threads = options.threads;
@@ -210,79 +170,19 @@ void run(SweepOptions options) {
   const evaluation::ResponseMatrix response = brdf::at_place(options.heights.file, [&] {
     return sweep(request, *amplitude, coherence_area_um2(surface), limits, progress_line("sweep"));
   });
+  const Json audit = audited(request, surface, *amplitude, limits, options);
   const std::string csv = to_csv(response, options.layout);
   if (!output) return print(csv);
 
   Json sidecar = sidecar_head("sweep", options.heights.file, input.sha256);
   sidecar["parameters"] = parameters_json(options, request, surface, report);
   sidecar["error"] = {{"amplitude_bound", report.error_bound},
+                      {"audit", audit},
                       {"input_phase_error_rad", report.input_phase_error_rad},
                       {"terms", report.terms},
                       {"relative_to", "the peak of a flat patch"}};
   sidecar = output->commit(csv, std::move(sidecar));
   if (options.json) print(sidecar.dump(2) + "\n");
-}
-
-void add_scene_options(CLI::App* sweep, SweepOptions& options) {
-  add_parsed(sweep, "--theta-i", options.theta_i, parse_angle, "angle of incidence", "ANGLE")
-      ->required();
-  add_parsed(sweep, "--phi-i", options.phi_i, parse_angle, "azimuth of the light (default 0deg)",
-             "ANGLE");
-  add_parsed(sweep, "--theta-r", options.theta_r_deg, parse_angle_axis,
-             "viewing angles, positive on the light's side", "START:STOP:STEP")
-      ->required();
-  add_parsed(sweep, "--phi-r", options.phi_r, parse_angle,
-             "azimuth of the half-plane where theta_r is positive (default: phi_i)", "ANGLE");
-  add_parsed(sweep, "--lambda", options.lambda_nm, parse_length_axis, "wavelengths",
-             "START:STOP:STEP")
-      ->required();
-  add_parsed(sweep, "--sigma", options.sigma, parse_length,
-             "standard deviation of the coherence window (default a quarter of the shorter side)",
-             "LENGTH");
-  add_choice(sweep, "--surface", options.model, surface_choices,
-             "how the surface goes on beyond the patch (default: by the method)");
-  add_choice(sweep, "--quantity", options.quantity, quantity_choices,
-             "abs(a)^2, relative reflectance (default), or BRDF in 1/sr");
-}
-
-void add_method_options(CLI::App* sweep, SweepOptions& options) {
-  std::string names;
-  for (const evaluation::Method& method : evaluation::methods())
-    names.append(names.empty() ? "" : "|").append(method.name);
-  sweep->add_option("--method", options.method, "how the amplitude is computed (default taylor)")
-      ->type_name(names);
-  add_parsed(
-      sweep, "--terms", options.settings.terms,
-      [](const std::string& option, const std::string& text) {
-        return parse_count(option, text, 1, 2000);
-      },
-      "taylor: number of terms, powers 0 to N-1", "N");
-  add_parsed(sweep, "--tolerance", options.tolerance, parse_number,
-             "largest error of the amplitude, flat patch's peak = 1 (default 1e-6)", "NUMBER");
-  add_parsed(sweep, "--window-radius", options.settings.radius_sigma_f, parse_number,
-             "taylor: neighbouring bins kept, in sigma_f (default 6, or by --tolerance)", "NUMBER");
-  add_choice(sweep, "--preset", options.preset, preset_choices,
-             "thesis: the sources' own evaluator, with its conventions");
-}
-
-void add_run_options(CLI::App* sweep, SweepOptions& options) {
-  add_output(sweep, options.output,
-             "CSV file, with its sidecar FILE.json (default: CSV to standard "
-             "output)");
-  add_choice(sweep, "--layout", options.layout, layout_choices, "of the CSV (default matrix)");
-  add_parsed(
-      sweep, "--threads", options.threads,
-      [](const std::string& option, const std::string& text) {
-        return parse_count(option, text, 1, 1024);
-      },
-      "threads (default: all); the result does not depend on them", "N");
-  add_parsed(sweep, "--memory-limit", options.memory_limit, parse_bytes,
-             "refuse what needs more (default 80 % of the machine's)", "BYTES");
-  add_parsed(sweep, "--time-limit", options.time_limit, parse_duration, "give up after this",
-             "TIME");
-  sweep->add_flag("--strict", options.strict,
-                  "fail with 5 where accuracy or sampling cannot be attained, instead of warning");
-  sweep->add_flag("--json", options.json, "print the sidecar");
 }
 
 }  // namespace
@@ -295,10 +195,7 @@ void add_sweep(CLI::App& app) {
       "Example:\n"
       "  shedlight sweep scan.png --width 65um --height-range 818.69nm --theta-i 75deg \\\n"
       "    --phi-i 90deg --theta-r -50:-25:0.05deg --lambda 380:780:1nm -o R.csv");
-  options->heights.add_to(sweep);
-  add_scene_options(sweep, *options);
-  add_method_options(sweep, *options);
-  add_run_options(sweep, *options);
+  options->add_to(sweep);
   sweep->callback([options] { run(*options); });
 }
 

@@ -39,7 +39,8 @@ double single_pixel_error(const Setup& setup) {
   Uniform uniform(seed);
   const PeriodicBins bins = setup.bins(9);
   const auto count = static_cast<double>(setup.axis.count);
-  const double sum_g = brdf::window_sums(setup.window, setup.axis).g;
+  const double sum_g =
+      brdf::window_sums({&setup.field, setup.window, SurfaceModel::periodic}, setup.axis).g;
   WorstError error;
   for (int trial = 0; trial < 20; ++trial) {
     const double q_per_um = uniform(-40, 40);
@@ -48,7 +49,7 @@ double single_pixel_error(const Setup& setup) {
       for (long j = bins.first(q_per_um); j <= bins.last(q_per_um); ++j)
         by_bins += bins.weight(q_per_um, j) * bins.origin_phase(j) *
                    std::polar(1.0, 2 * pi * static_cast<double>(j * pixel) / count);
-      for (int copy = -setup.axis.copies; copy <= setup.axis.copies; ++copy) {
+      for (int copy = setup.axis.first_copy; copy <= setup.axis.last_copy; ++copy) {
         const double x_um = setup.axis.position_um(pixel, copy);
         by_copies += std::polar(setup.window.spatial(x_um), q_per_um * x_um);
       }

@@ -51,14 +51,14 @@ TEST_CASE("an isolated patch has no repetitions and a periodic one enough for th
     CAPTURE(sigma_um);
     const GaussianWindow window(Length::um(sigma_um));
     const Surface isolated{&field, window, SurfaceModel::isolated};
-    CHECK(brdf::x_axis(isolated).copies == 0);
-    CHECK(brdf::y_axis(isolated).copies == 0);
+    CHECK(brdf::x_axis(isolated).last_copy == 0);
+    CHECK(brdf::y_axis(isolated).first_copy == 0);
     for (const Origin origin : {Origin::patch_centre, Origin::patch_corner}) {
       const Surface periodic{&field, window, SurfaceModel::periodic, origin};
       for (const SurfaceAxis& axis : {brdf::x_axis(periodic), brdf::y_axis(periodic)}) {
         // One pixel beyond either end the window is below the rounding of its sum.
-        CHECK(window.spatial(axis.position_um(-1, -axis.copies)) <= 3e-18);
-        CHECK(window.spatial(axis.position_um(axis.count, axis.copies)) <= 3e-18);
+        CHECK(window.spatial(axis.position_um(-1, axis.first_copy)) <= 3e-18);
+        CHECK(window.spatial(axis.position_um(axis.count, axis.last_copy)) <= 3e-18);
       }
     }
   }
@@ -68,7 +68,7 @@ TEST_CASE("periodic window sums are those of the whole Gaussian", "[surface][ora
   const HeightField field = flat(5, 8, 0.5, 0.25);
   const Surface surface{&field, GaussianWindow(Length::um(2)), SurfaceModel::periodic};
   // On a lattice finer than sigma the sum is the integral to exp(-2 pi^2 (sigma/dx)^2) < 1e-100.
-  const brdf::WindowSums sums = brdf::window_sums(surface.window, brdf::x_axis(surface));
+  const brdf::WindowSums sums = brdf::window_sums(surface, brdf::x_axis(surface));
   CHECK(std::abs(sums.g * 0.5 / (2 * std::sqrt(2 * pi)) - 1) <= 4e-15);  // 90 terms
   CHECK(std::abs(sums.g_squared * 0.5 / (2 * std::sqrt(pi)) - 1) <= 4e-15);
 }

@@ -74,7 +74,7 @@ TEST_CASE("a response without peaks has no period", "[cli][period]") {
 TEST_CASE("a flat patch has no period", "[cli][period]") {
   const Scratch folder;
   folder.prepare("synth flat --size 65um,0.25um --pixels 260,1 -o g.gsf");
-  folder.prepare("sweep g.gsf" + small_scene + " -o R.csv");
+  folder.prepare("sweep g.gsf" + small_scene + " --surface periodic -o R.csv");
   check_refused(folder, "period R.csv --order 1", 5, {"R.csv", "peak"});
 }
 

@@ -27,7 +27,7 @@ TEST_CASE("the version is printed on standard output", "[cli][help]") {
 
 TEST_CASE("without a subcommand nothing is done and the exit code is 2", "[cli][refusal]") {
   const Scratch folder;
-  check_refused(folder, "", 2, {"subcommand"});
+  check_refused(folder, "", 2, {"command", "sweep"});
 }
 
 TEST_CASE("an unknown subcommand or option is named and refused", "[cli][refusal]") {

@@ -63,8 +63,9 @@ TEST_CASE("the sidecar of a sweep holds every parameter as resolved", "[cli][sid
   CHECK(p.at("lambda_nm").at("first") == 400.0);
   CHECK(p.at("lambda_nm").at("last") == 700.0);
   CHECK(p.at("lambda_nm").at("count") == 4);
-  CHECK(p.at("method") == "taylor");
-  CHECK(p.at("surface") == "periodic");
+  CHECK(p.at("method") == "auto");
+  CHECK(p.at("surface") == "isolated");
+  CHECK(p.at("tolerance") == 1e-6);
   CHECK(p.at("quantity") == "relative");
   CHECK(p.at("layout") == "matrix");
   CHECK(p.at("level") == "none");
@@ -72,9 +73,14 @@ TEST_CASE("the sidecar of a sweep holds every parameter as resolved", "[cli][sid
   CHECK(p.at("columns") == 260);
   CHECK(p.at("rows") == 1);
   CHECK(p.at("strict") == false);
-  // By default a quarter of the shorter side, which is 0.25 um, and neighbours to about 6 sigma_f.
+  // By default a quarter of the shorter side, which is 0.25 um.
   CHECK(p.at("sigma_um").get<double>() == Approx(0.0625).epsilon(1e-6));
-  CHECK(p.at("window_radius_sigma_f").get<double>() == Approx(6).margin(2));
+  folder.prepare(
+      "sweep g.gsf --theta-i 75deg --theta-r -55:-40:0.1deg --lambda 400nm --method taylor "
+      "-o T.csv");
+  const json taylor = sidecar_of(folder, "T.csv").at("parameters");
+  CHECK(taylor.at("surface") == "periodic");
+  CHECK(taylor.at("window_radius_sigma_f").get<double>() == Approx(6).margin(2));
 }
 
 TEST_CASE("the sidecar of a sweep holds what was asked for", "[cli][sidecar]") {

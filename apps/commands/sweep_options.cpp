@@ -1,0 +1,173 @@
+#include "apps/commands/sweep_options.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "apps/quantities.h"
+#include "brdf/error.h"
+
+namespace apps {
+
+using brdf::Length;
+using brdf::Quantity;
+using brdf::SurfaceModel;
+using evaluation::CsvLayout;
+
+const Choices<Quantity> quantity_choices{
+    {"power", Quantity::power}, {"relative", Quantity::relative}, {"brdf", Quantity::brdf}};
+const Choices<CsvLayout> layout_choices{{"matrix", CsvLayout::matrix},
+                                        {"long", CsvLayout::long_table}};
+const Choices<Preset> preset_choices{{"physical", Preset::physical}, {"thesis", Preset::thesis}};
+
+namespace {
+
+const Choices<SurfaceModel> surface_choices{{"isolated", SurfaceModel::isolated},
+                                            {"periodic", SurfaceModel::periodic},
+                                            {"replicated", SurfaceModel::replicated}};
+
+auto count_between(int lo, int hi) {
+  return [lo, hi](const std::string& option, const std::string& text) {
+    return parse_count(option, text, lo, hi);
+  };
+}
+
+/// What the sources' evaluator does; what is given beside it stays as given.
+void fill_in_thesis(SweepOptions& options) {
+  if (!options.method) options.method = "taylor";
+  if (!options.heights.level) options.heights.level = brdf::Level::mean;
+  if (!options.settings.radius_sigma_f && *options.method == "taylor")
+    options.settings.radius_sigma_f = 4;
+  if (!options.sigma) options.sigma = Length::um(65.0 / 4);  // 4 sigma_s = 65 um
+  if (!options.model) options.model = SurfaceModel::periodic;
+  if (!options.quantity) options.quantity = Quantity::power;
+}
+
+void require_consistent(const SweepOptions& options, const evaluation::Method& method) {
+  const auto refuse = [](const std::string& what) {
+    throw brdf::Error(brdf::Errc::invalid_argument, what);
+  };
+  if (options.settings.terms && options.tolerance)
+    refuse("--terms and --tolerance exclude each other: the tolerance chooses the terms");
+  const std::string no_meaning =
+      " has no meaning for --method " + std::string(method.name) + "; it goes with --method taylor";
+  if (!method.is_taylor && options.settings.terms) refuse("--terms" + no_meaning);
+  if (!method.is_taylor && options.settings.radius_sigma_f) refuse("--window-radius" + no_meaning);
+  if (options.tolerance && !(*options.tolerance > 0 && *options.tolerance < 1))
+    refuse("--tolerance " + brdf::text(*options.tolerance) + ": must lie between 0 and 1");
+  if (options.replicas && *options.model != SurfaceModel::replicated)
+    refuse("--replicas goes with --surface replicated, not " +
+           std::string(evaluation::name_of(*options.model)));
+  if (options.json && options.output.empty() && !options.explain)
+    refuse("--json needs -o: both would go to standard output");
+}
+
+}  // namespace
+
+void SweepOptions::resolve() {
+  if (preset == Preset::thesis) fill_in_thesis(*this);
+  // Who gives the knobs of the Taylor series means the Taylor series.
+  if (!method) method = settings.terms || settings.radius_sigma_f ? "taylor" : "auto";
+  if (replicas && !model) model = SurfaceModel::replicated;
+  const evaluation::Method& chosen = evaluation::method_named(*method);
+  model = surface_model(chosen, model);
+  require_consistent(*this, chosen);
+  if (!quantity) quantity = Quantity::relative;
+}
+
+evaluation::SweepRequest SweepOptions::request() const {
+  evaluation::SweepRequest request{*theta_i, phi_i, phi_r.value_or(phi_i), *lambda_nm,
+                                   *theta_r_deg};
+  request.quantity = *quantity;
+  if (preset == Preset::thesis) request.depth = evaluation::DepthFrequency::unit_w;
+  evaluation::require_valid(request);
+  return request;
+}
+
+brdf::Surface SweepOptions::surface(const brdf::HeightField& field) const {
+  const Length quarter = Length::um(std::min(field.width_um(), field.height_um()) / 4);
+  const auto [across, down] = replicas.value_or(std::pair(1, 1));
+  return {&field,
+          brdf::GaussianWindow(sigma.value_or(quarter)),
+          *model,
+          preset == Preset::thesis ? brdf::Origin::patch_corner : brdf::Origin::patch_centre,
+          {across, down}};
+}
+
+namespace {
+
+void add_scene(CLI::App* sweep, SweepOptions& options) {
+  add_parsed(sweep, "--theta-i", options.theta_i, parse_angle, "angle of incidence", "ANGLE")
+      ->required();
+  add_parsed(sweep, "--phi-i", options.phi_i, parse_angle, "azimuth of the light (default 0deg)",
+             "ANGLE");
+  add_parsed(sweep, "--theta-r", options.theta_r_deg, parse_angle_axis,
+             "viewing angles, positive on the light's side", "START:STOP:STEP")
+      ->required();
+  add_parsed(sweep, "--phi-r", options.phi_r, parse_angle,
+             "azimuth of the half-plane where theta_r is positive (default: phi_i)", "ANGLE");
+  add_parsed(sweep, "--lambda", options.lambda_nm, parse_length_axis, "wavelengths",
+             "START:STOP:STEP")
+      ->required();
+  add_parsed(sweep, "--sigma", options.sigma, parse_length,
+             "standard deviation of the coherence window (default a quarter of the shorter side)",
+             "LENGTH");
+  add_choice(sweep, "--surface", options.model, surface_choices,
+             "how the surface goes on beyond the patch (default isolated; periodic for taylor)");
+  add_parsed(
+      sweep, "--replicas", options.replicas,
+      [](const std::string& option, const std::string& text) {
+        return parse_count_pair(option, text, 1, 1000000);
+      },
+      "copies of the patch side by side, evenly lit, for --surface replicated", "N[,N]");
+  add_choice(sweep, "--quantity", options.quantity, quantity_choices,
+             "abs(a)^2, relative reflectance (default), or BRDF in 1/sr");
+}
+
+void add_method(CLI::App* sweep, SweepOptions& options) {
+  std::string names;
+  for (const evaluation::Method& method : evaluation::methods())
+    names.append(names.empty() ? "" : "|").append(method.name);
+  sweep
+      ->add_option("--method", options.method,
+                   "how the amplitude is computed (default auto; taylor where its --terms or "
+                   "--window-radius are given)")
+      ->type_name(names);
+  add_parsed(sweep, "--tolerance", options.tolerance, parse_number,
+             "largest error of the amplitude, flat patch's peak = 1 (default 1e-6)", "NUMBER");
+  add_parsed(sweep, "--terms", options.settings.terms, count_between(1, 2000),
+             "taylor: number of terms, powers 0 to N-1", "N");
+  add_parsed(sweep, "--window-radius", options.settings.radius_sigma_f, parse_number,
+             "taylor: neighbouring bins kept, in sigma_f (default 6, or by --tolerance)", "NUMBER");
+  add_choice(sweep, "--preset", options.preset, preset_choices,
+             "thesis: the sources' own evaluator, with its conventions");
+  add_parsed(sweep, "--audit", options.audit, count_between(0, 1000000),
+             "cells held against the direct sum after the run (default 32)", "N");
+  sweep->add_flag("--explain", options.explain, "print the plan instead of running it");
+}
+
+void add_run(CLI::App* sweep, SweepOptions& options) {
+  add_output(sweep, options.output,
+             "CSV file, with its sidecar FILE.json (default: CSV to standard output)");
+  add_choice(sweep, "--layout", options.layout, layout_choices, "of the CSV (default matrix)");
+  add_parsed(sweep, "--threads", options.threads, count_between(1, 1024),
+             "threads (default: all); the result does not depend on them", "N");
+  add_parsed(sweep, "--memory-limit", options.memory_limit, parse_bytes,
+             "refuse what needs more (default 80 % of the machine's)", "BYTES");
+  add_parsed(sweep, "--time-limit", options.time_limit, parse_duration, "give up after this",
+             "TIME");
+  sweep->add_flag("--strict", options.strict,
+                  "fail with 5 where accuracy or sampling cannot be attained, instead of warning");
+  sweep->add_flag("--json", options.json, "print the sidecar, or with --explain the plan, as JSON");
+}
+
+}  // namespace
+
+void SweepOptions::add_to(CLI::App* sweep) {
+  threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  heights.add_to(sweep);
+  add_scene(sweep, *this);
+  add_method(sweep, *this);
+  add_run(sweep, *this);
+}
+
+}  // namespace apps

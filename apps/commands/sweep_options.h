@@ -1,0 +1,62 @@
+// The options of `shedlight sweep`.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "apps/console.h"
+#include "apps/options.h"
+#include "brdf/surface.h"
+#include "evaluation/methods.h"
+#include "evaluation/sweep.h"
+
+namespace apps {
+
+/// Whose conventions a sweep follows.
+enum class Preset {
+  physical,
+  thesis,  ///< the sources' own evaluator
+};
+
+extern const Choices<brdf::Quantity> quantity_choices;
+extern const Choices<evaluation::CsvLayout> layout_choices;
+extern const Choices<Preset> preset_choices;
+
+struct SweepOptions {
+  HeightOptions heights;
+  std::optional<brdf::Angle> theta_i;
+  brdf::Angle phi_i;
+  std::optional<brdf::Angle> phi_r;
+  std::optional<evaluation::Axis> theta_r_deg, lambda_nm;
+  std::optional<std::string> method;
+  evaluation::MethodSettings settings;
+  std::optional<double> tolerance;
+  std::optional<brdf::Length> sigma;
+  std::optional<brdf::SurfaceModel> model;
+  std::optional<std::pair<int, int>> replicas;
+  std::optional<brdf::Quantity> quantity;
+  evaluation::CsvLayout layout = evaluation::CsvLayout::matrix;
+  Preset preset = Preset::physical;
+  int threads = 1;
+  std::optional<int> audit;
+  std::optional<std::size_t> memory_limit;
+  std::optional<std::chrono::duration<double>> time_limit;
+  std::string output;
+  bool strict = false, json = false, explain = false;
+
+  void add_to(CLI::App* sweep);
+  /// Fills in what a preset and the options together leave open, and refuses combinations that
+  /// have no meaning.
+  void resolve();
+
+  Attainability attainability() const {
+    return strict ? Attainability::refuse : Attainability::warn;
+  }
+  evaluation::SweepRequest request() const;
+  /// Refers to the field.
+  brdf::Surface surface(const brdf::HeightField& field) const;
+};
+
+}  // namespace apps

@@ -1,0 +1,230 @@
+// What a Chebyshev plan will consist of: decided from the request before anything is computed.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+#include "brdf/chebyshev_terms.h"
+#include "brdf/direct_sum.h"
+#include "brdf/fourier_axis.h"
+#include "brdf/series_plan_parts.h"
+#include "brdf/term_table.h"
+
+namespace brdf {
+
+/// Makes the decisions. Everything follows from surface and bounds; nothing from threads.
+class ChebyshevDesign {
+ public:
+  ChebyshevDesign(const Surface& surface, const QueryBounds& bounds,
+                  const SeriesSettings& settings = {})
+      : surface_(surface),
+        bounds_(bounds),
+        settings_(settings),
+        axes_{x_axis(surface), y_axis(surface)},
+        tolerance_(std::clamp(bounds.tolerance, 1e-15, 1.0)),
+        c_mid_per_um_(std::midpoint(bounds.lo.c_per_um, bounds.hi.c_per_um)),
+        c_half_per_um_((bounds.hi.c_per_um - bounds.lo.c_per_um) / 2),
+        terms_(c_half_per_um_ * surface.heights->half_range_um(), series_share * tolerance_) {
+    const bool one_qx = bounds.lo.qx_per_um == bounds.hi.qx_per_um;
+    const bool one_qy = bounds.lo.qy_per_um == bounds.hi.qy_per_um;
+    parts_.path = one_qx || one_qy ? SeriesPath::in_plane : SeriesPath::general;
+    // Modes save terms at every tap and cost degrees x terms / 16 products a query: worth while
+    // where a query reads a square of taps.
+    if (parts_.path == SeriesPath::general && terms_.degrees() <= TermTable<double>::max_degrees) {
+      ChebyshevTerms modes(c_half_per_um_ * surface.heights->half_range_um(),
+                           series_share * tolerance_, SeriesBasis::modes);
+      if (modes.degrees() <= TermTable<double>::max_degrees && modes.count() < terms_.count())
+        terms_ = std::move(modes);
+    }
+    parts_.terms = terms_.count();
+    inner_axis_ = one_qy ? 0 : 1;
+    choose_grid(parts_.path == SeriesPath::general ? general_oversampling : in_plane_oversampling);
+    if (parts_.path == SeriesPath::general) {
+      // A finer grid saves a tap in each direction; it pays where many queries come.
+      const ChebyshevDesign coarse(*this);
+      choose_grid(general_oversampling_for_many);
+      if (!(expected_s() < coarse.expected_s())) *this = coarse;
+    }
+    const double direct_s = direct_sum_query_s(), count = static_cast<double>(bounds.count);
+    if (settings.small_requests == SmallRequests::by_direct_sum && count * direct_s < expected_s())
+      use_direct_sum(direct_s);
+  }
+
+  const Surface& surface() const { return surface_; }
+  const QueryBounds& bounds() const { return bounds_; }
+  const SurfaceAxis& axis(int index) const { return axes_[index]; }
+  const ChebyshevTerms& terms() const { return terms_; }
+  const SeriesPlanParts& parts() const { return parts_; }
+  const Executor& executor() const { return settings_.executor; }
+  double c_mid_per_um() const { return c_mid_per_um_; }
+  double c_half_per_um() const { return c_half_per_um_; }
+  const std::optional<FourierAxis>& outer() const { return outer_; }  ///< x of the general path
+  const FourierAxis& inner() const { return *inner_; }
+  /// The axis that the inner transform runs along: 0 x, 1 y.
+  int inner_axis() const { return inner_axis_; }
+
+  double error_bound() const {
+    return parts_.series_error + parts_.kernel_error + parts_.storage_error + parts_.rounding_error;
+  }
+
+  /// [um] centre of an axis' copies: 0 unless the origin is the corner.
+  double centre_um(int index) const {
+    const SurfaceAxis& axis = axes_[index];
+    return surface_.model == SurfaceModel::periodic
+               ? 0.0
+               : axis.pixel_um *
+                     ((static_cast<double>(axis.count) * (1 + axis.first_copy + axis.last_copy) -
+                       1) /
+                          2 -
+                      axis.origin);
+  }
+
+ private:
+  // Shares of the tolerance. A term gains a factor 5 or more, so the series gets little; a tap
+  // costs a whole row of products, so the kernels get what single-precision storage leaves.
+  static constexpr double series_share = 0.1, double_kernel_share = 0.75,
+                          single_kernel_share = 0.45;
+  // In one dimension a finer grid costs next to nothing and saves a tap or two; in two it would
+  // cost its square in memory.
+  static constexpr double in_plane_oversampling = 4, general_oversampling = 2,
+                          general_oversampling_for_many = 2.5;
+
+  double expected_s() const {
+    return parts_.plan_s + static_cast<double>(bounds_.count) * parts_.query_s;
+  }
+
+  void choose_grid(double oversampling) {
+    // Wider kernels once more where that makes room for storage in single precision.
+    if (!choose(double_kernel_share, oversampling) && !choose(single_kernel_share, oversampling))
+      choose(double_kernel_share, oversampling);
+    set_costs();
+  }
+
+  FourierAxis make_axis(int index, double tolerance, double oversampling) {
+    const Query &lo = bounds_.lo, &hi = bounds_.hi;
+    const FourierAxisRequest request{index == 0 ? lo.qx_per_um : lo.qy_per_um,
+                                     index == 0 ? hi.qx_per_um : hi.qy_per_um, tolerance,
+                                     oversampling};
+    FourierAxis axis(surface_, axes_[index], request);
+    axis.prepare(surface_, axes_[index]);
+    return axis;
+  }
+
+  static SeriesPlanParts::Axis part(const FourierAxis& axis) {
+    return {axis.kernel().width(), axis.oversampling(), axis.length(), axis.stored()};
+  }
+
+  /// Axes for a share of the tolerance; whether the wanted precision fits into the rest.
+  bool choose(double kernel_share, double oversampling) {
+    const double share = kernel_share * tolerance_;
+    if (parts_.path == SeriesPath::general) {
+      outer_.emplace(make_axis(0, share / 2, oversampling));
+      inner_.emplace(make_axis(1, share / 2, oversampling));
+      parts_.axes[0] = part(*outer_);
+    } else {
+      inner_.emplace(make_axis(inner_axis_, share, oversampling));
+    }
+    parts_.axes[inner_axis_] = part(*inner_);
+    set_errors();
+    return parts_.storage == TableStorage::single_precision || !wants_single_precision();
+  }
+
+  std::size_t table_bytes(std::size_t real_bytes) const {
+    const auto padded = static_cast<std::size_t>((terms_.count() + 3) / 4 * 4);
+    return parts_.axes[0].stored * parts_.axes[1].stored * padded * 2 * real_bytes;
+  }
+  bool wants_single_precision() const {
+    return table_bytes(sizeof(double)) > settings_.double_table_bytes;
+  }
+
+  void set_errors() {
+    const double inner = inner_->error_bound(), outer = outer_ ? outer_->error_bound() : 0;
+    parts_.series_error = terms_.error_bound();
+    parts_.kernel_error = ((1 + inner) * (1 + outer) - 1) * (1 + terms_.error_bound());
+    const double amplification =
+        inner_->amplification() * (outer_ ? outer_->amplification() : 1) * terms_.norm();
+    // Positions and phases are rounded to eps / 2 of themselves, in about three steps and weighted
+    // by the mean distance from the centre, a fourth of the width or so; the recurrences add up.
+    constexpr double eps = std::numeric_limits<double>::epsilon();
+    parts_.rounding_error = eps * (max_phase_rad() + 4 * terms_.count() + 4 * amplification);
+    // Each entry is rounded once, by 2^-24 of itself; the sums are in double.
+    const double single = std::ldexp(amplification, -24);
+    const bool fits =
+        wants_single_precision() &&
+        parts_.series_error + parts_.kernel_error + single + parts_.rounding_error <= tolerance_;
+    parts_.storage = fits ? TableStorage::single_precision : TableStorage::double_precision;
+    parts_.storage_error = fits ? single : 0;
+  }
+
+  double max_phase_rad() const {
+    const auto largest = [](double a, double b) { return std::max(std::abs(a), std::abs(b)); };
+    const auto reach_um = [&](const SurfaceAxis& axis) {
+      return largest(axis.position_um(0, axis.first_copy),
+                     axis.position_um(axis.count, axis.last_copy));
+    };
+    const Query &lo = bounds_.lo, &hi = bounds_.hi;
+    return largest(lo.qx_per_um, hi.qx_per_um) * reach_um(axes_[0]) / 2 +
+           largest(lo.qy_per_um, hi.qy_per_um) * reach_um(axes_[1]) / 2 +
+           bounds_.max_abs_c_per_um() *
+               largest(surface_.heights->min_um(), surface_.heights->max_um());
+  }
+
+  void set_costs() {
+    const auto& axes = parts_.axes;
+    const double pixels = static_cast<double>(surface_.heights->heights_um().size());
+    const double terms = terms_.count();
+    const auto real_bytes =
+        parts_.storage == TableStorage::single_precision ? sizeof(float) : sizeof(double);
+    const auto padded = static_cast<std::size_t>((terms_.count() + 3) / 4 * 4);
+    parts_.table_bytes = table_bytes(real_bytes);
+    parts_.peak_bytes = parts_.table_bytes;
+    double transforms = static_cast<double>(inner_->length());
+    constexpr std::size_t complex_bytes = 2 * sizeof(double);
+    if (outer_) {
+      parts_.peak_bytes +=
+          static_cast<std::size_t>(pixels) * (complex_bytes + sizeof(double)) +
+          axes[0].stored * static_cast<std::size_t>(axes_[1].count) * complex_bytes;
+      transforms = static_cast<double>(axes_[1].count) * static_cast<double>(outer_->length()) +
+                   static_cast<double>(outer_->stored() * inner_->length());
+    } else {
+      parts_.peak_bytes += static_cast<std::size_t>(axes_[inner_axis_].count + PixelStrip::lanes) *
+                           padded * 2 * complex_bytes;
+    }
+    // Measured on AVX-512: half a millisecond for kernels and coefficients, 2 ns and 0.3 ns per
+    // pixel and term in the plane, 12 ns per point transformed; 15 ns per query and 0.2 ns per
+    // product of the gather.
+    parts_.plan_s =
+        5e-4 + 1e-9 * (pixels * (2 + (outer_ ? 2.0 : 0.3) * terms) + 12 * terms * transforms);
+    parts_.query_s =
+        1e-9 * (15 + 0.2 * static_cast<double>(padded) * axes[0].width * axes[1].width);
+  }
+
+  /// A pixel of the direct sum takes one sine and cosine.
+  double direct_sum_query_s() const {
+    return 15e-9 * static_cast<double>(surface_.heights->heights_um().size());
+  }
+
+  void use_direct_sum(double direct_s) {
+    const PlanReport report = DirectSum{}.plan(surface_, bounds_).report();
+    parts_ = SeriesPlanParts{};
+    parts_.path = SeriesPath::direct_sum;
+    parts_.storage = TableStorage::double_precision;
+    parts_.rounding_error = report.error_bound;
+    parts_.query_s = direct_s;
+  }
+
+  Surface surface_;
+  QueryBounds bounds_;
+  SeriesSettings settings_;
+  SurfaceAxis axes_[2];
+  double tolerance_, c_mid_per_um_, c_half_per_um_;
+  ChebyshevTerms terms_;
+  SeriesPlanParts parts_{};
+  int inner_axis_ = 0;
+  std::optional<FourierAxis> outer_, inner_;
+};
+
+}  // namespace brdf

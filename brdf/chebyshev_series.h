@@ -1,0 +1,161 @@
+// The method that is exact to a tolerance: a Chebyshev series in the height and in k w.
+#pragma once
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "brdf/chebyshev_design.h"
+#include "brdf/chebyshev_table.h"
+#include "brdf/query_order.h"
+
+namespace brdf {
+
+/// Plan of the Chebyshev series. See ChebyshevSeries.
+class ChebyshevSeriesPlan {
+ public:
+  ChebyshevSeriesPlan(const ChebyshevDesign& design, const SeriesKernels& kernels)
+      : kernels_(kernels),
+        bounds_(design.bounds()),
+        parts_(design.parts()),
+        report_{design.error_bound(),
+                input_phase_error_rad(*design.surface().heights, design.bounds()), parts_.terms, 0,
+                parts_.table_bytes} {
+    if (parts_.path == SeriesPath::direct_sum)
+      direct_.emplace(design.surface(), design.bounds());
+    else if (parts_.storage == TableStorage::single_precision)
+      single_.emplace(design, kernels);
+    else
+      double_.emplace(design, kernels);
+    for (int index : {0, 1}) {
+      const SurfaceAxis& axis = design.axis(index);
+      const bool summed = parts_.axes[index].fft_length == 0;
+      copies_[index] = {summed ? 1 : 1 + axis.last_copy - axis.first_copy,
+                        axis.pixel_um * static_cast<double>(axis.count)};
+    }
+    replicated_ = design.surface().model == SurfaceModel::replicated && !direct_;
+  }
+
+  /// Throws Errc::invalid_argument for a query outside the plan's bounds.
+  void evaluate(std::span<const Query> queries, std::span<std::complex<double>> amplitudes) const {
+    for (const Query& q : queries) require_within_bounds(q);
+    if (direct_) return direct_->evaluate(queries, amplitudes);
+    const auto gather = [&](std::span<const Query> some, std::span<std::complex<double>> out) {
+      if (single_)
+        kernels_.gather_float(single_->view(), some.data(), some.size(), out.data());
+      else
+        kernels_.gather_double(double_->view(), some.data(), some.size(), out.data());
+    };
+    if (parts_.path == SeriesPath::general)
+      in_tile_order(queries, amplitudes, bounds_, tile_grid(), gather);
+    else
+      gather(queries, amplitudes);
+    if (replicated_)
+      for (std::size_t i = 0; i < queries.size(); ++i)
+        amplitudes[i] *= array_factor(copies_[0], queries[i].qx_per_um) *
+                         array_factor(copies_[1], queries[i].qy_per_um);
+  }
+
+  PlanReport report() const { return report_; }
+  const SeriesPlanParts& explain() const { return parts_; }
+
+ private:
+  struct Copies {
+    int count = 1;
+    double length_um = 0;
+  };
+
+  /// Mean of exp(i q x) over copies placed symmetrically, sin(n pi nu) / (n sin(pi nu)) with
+  /// nu = q L / 2 pi (Thesis 1.50), reduced in cycles so that it holds at every order (Errata E3).
+  static double array_factor(const Copies& copies, double q_per_um) {
+    const double cycles = q_per_um * copies.length_um / (2 * pi);
+    const double order = std::round(cycles), angle = pi * (cycles - order);
+    const double sign = std::fmod(std::abs(order) * (copies.count - 1), 2) == 0 ? 1 : -1;
+    if (copies.count == 1 || angle == 0) return sign;
+    return sign * std::sin(copies.count * angle) / (copies.count * std::sin(angle));
+  }
+
+  void require_within_bounds(const Query& q) const {
+    const Query &lo = bounds_.lo, &hi = bounds_.hi;
+    const bool within = lo.qx_per_um <= q.qx_per_um && q.qx_per_um <= hi.qx_per_um &&
+                        lo.qy_per_um <= q.qy_per_um && q.qy_per_um <= hi.qy_per_um &&
+                        lo.c_per_um <= q.c_per_um && q.c_per_um <= hi.c_per_um;
+    if (!within)
+      throw Error(Errc::invalid_argument, "query (" + text(q.qx_per_um) + ", " + text(q.qy_per_um) +
+                                              ", " + text(q.c_per_um) +
+                                              ") rad/um lies outside the bounds of its plan");
+  }
+
+  TileGrid tile_grid() const {
+    const auto entries = [&](int index) { return static_cast<double>(parts_.axes[index].stored); };
+    return {entries(0), entries(1)};
+  }
+
+  SeriesKernels kernels_;
+  QueryBounds bounds_;
+  SeriesPlanParts parts_;
+  PlanReport report_;
+  std::optional<DirectSumPlan> direct_;
+  std::optional<ChebyshevTable<float>> single_;
+  std::optional<ChebyshevTable<double>> double_;
+  Copies copies_[2];
+  bool replicated_ = false;
+};
+
+/// a = e^{i c h_mid} sum_{n < R} T_n(tau) sum_x,y g e^{i c_mid r s} a_n(s) e^{i (qx x + qy y)},
+/// with h = h_mid + r s, c = c_mid + c_half tau and a_n(s) = sum_m M_nm T_m(s) (ChebyshevTerms):
+/// the transform of R real functions of the surface instead of one per wavelength and angle.
+///
+/// The tolerance of the bounds, 1e-1 to 1e-14, fixes everything: R, the kernels between the points
+/// of the frequency grids (FourierAxis), and whether the table is kept in single precision. Queries
+/// in one plane of incidence along x or y are summed across it exactly and need 1-D transforms;
+/// only frequencies inside the bounds are kept; few queries go to the direct sum. Surface models:
+/// all. Error: at most `report().error_bound`, which is at most the tolerance unless rounding
+/// forbids it (about 2e-16 times the largest phase); measured in chebyshev_series.tests.cpp. Cost
+/// in the plane: a sine, a cosine and 3 R products per pixel, then width x R products per query;
+/// else R 2-D transforms, then width^2 x R products per query. Results depend on the query and the
+/// plan only, to the last bit, whatever the batch or threads. Errc::invalid_argument: a tolerance
+/// that is not > 0. Sources: Jacobi-Anger; Barnett, Magland, af Klinteberg (SIAM J. Sci. Comput.
+/// 41, 2019).
+class ChebyshevSeries {
+ public:
+  /// kernels: portable_kernels, or the vectorised ones of shedlight::kernels.
+  explicit ChebyshevSeries(const SeriesKernels& kernels = portable_kernels,
+                           const SeriesSettings& settings = {})
+      : kernels_(kernels), settings_(settings) {}
+
+  static bool supports(SurfaceModel) { return true; }
+
+  /// The parts of the plan, without making it.
+  SeriesPlanParts explain(const Surface& surface, const QueryBounds& bounds) const {
+    return design(surface, bounds).parts();
+  }
+
+  /// Bytes that a plan takes at its largest, its transforms included.
+  std::size_t bytes(const Surface& surface, const QueryBounds& bounds) const {
+    return explain(surface, bounds).peak_bytes;
+  }
+
+  ChebyshevSeriesPlan plan(const Surface& surface, const QueryBounds& bounds) const {
+    return {design(surface, bounds), kernels_};
+  }
+
+ private:
+  ChebyshevDesign design(const Surface& surface, const QueryBounds& bounds) const {
+    if (!(bounds.tolerance > 0))
+      throw Error(Errc::invalid_argument, "tolerance " + text(bounds.tolerance) + " must be > 0");
+    return {surface, bounds, settings_};
+  }
+
+  SeriesKernels kernels_;
+  SeriesSettings settings_;
+};
+
+static_assert(AmplitudeMethod<ChebyshevSeries>);
+
+}  // namespace brdf

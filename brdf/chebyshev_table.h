@@ -1,0 +1,228 @@
+// Fills the table of a Chebyshev plan from the pixels of a surface.
+#pragma once
+
+#include <algorithm>
+#include <complex>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include "brdf/chebyshev_columns.h"
+#include "brdf/chebyshev_design.h"
+#include "brdf/term_table.h"
+
+namespace brdf {
+
+/// Transforms of one length, lent to one task at a time.
+class FourierPool {
+ public:
+  explicit FourierPool(std::size_t length) : length_(length) {}
+
+  class Lease {
+   public:
+    explicit Lease(FourierPool& pool) : pool_(pool), fourier_(pool.take()) {}
+    ~Lease() { pool_.give_back(std::move(fourier_)); }
+    Lease(const Lease&) = delete;
+    Lease& operator=(const Lease&) = delete;
+    ComplexFourier1d& operator*() const { return *fourier_; }
+
+   private:
+    FourierPool& pool_;
+    std::unique_ptr<ComplexFourier1d> fourier_;
+  };
+
+ private:
+  std::unique_ptr<ComplexFourier1d> take() {
+    {
+      const std::scoped_lock lock(mutex_);
+      if (!idle_.empty()) {
+        auto fourier = std::move(idle_.back());
+        idle_.pop_back();
+        return fourier;
+      }
+    }
+    return std::make_unique<ComplexFourier1d>(length_);
+  }
+  void give_back(std::unique_ptr<ComplexFourier1d> fourier) {
+    const std::scoped_lock lock(mutex_);
+    idle_.push_back(std::move(fourier));
+  }
+
+  std::size_t length_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<ComplexFourier1d>> idle_;
+};
+
+/// Owns a TermTable. Real: float or double.
+template <class Real>
+class ChebyshevTable {
+ public:
+  ChebyshevTable(const ChebyshevDesign& design, const SeriesKernels& kernels)
+      : inner_kernel_(design.inner().kernel()) {
+    const Surface& surface = design.surface();
+    if (design.outer()) outer_kernel_ = design.outer()->kernel();
+    view_.inner = axis_view(design.inner(), inner_kernel_, design.inner_axis());
+    view_.outer = design.outer() ? axis_view(*design.outer(), outer_kernel_, 0)
+                                 : TableAxis{0, 0, 0, 1, 1, 0, 1, 0, nullptr};
+    view_.terms = design.terms().count();
+    view_.degrees = design.terms().degrees();
+    view_.even_terms = design.terms().even_count();
+    const Eigen::MatrixXd& basis = design.terms().query_basis();
+    if (basis.size() > 0) {
+      basis_.assign(static_cast<std::size_t>(view_.padded_terms() * view_.degrees), 0.0);
+      std::copy_n(basis.data(), basis.size(), basis_.data());  // column by column
+    }
+    view_.c_mid_per_um = design.c_mid_per_um();
+    view_.per_c_um = design.c_half_per_um() > 0 ? 1 / design.c_half_per_um() : 0;
+    view_.phase_per_c_um = surface.heights->mid_range_um();
+    const auto phase = [&](int index) {
+      return design.parts().axes[index].fft_length == 0 ? 0.0 : design.centre_um(index);
+    };
+    view_.phase_per_qx_um = phase(0);
+    view_.phase_per_qy_um = phase(1);
+    row_ = static_cast<std::size_t>(2 * view_.padded_terms());
+    const auto size = static_cast<std::size_t>(view_.outer.count * view_.inner.count) * row_;
+    entries_.reset(static_cast<Real*>(::operator new(size * sizeof(Real), cache_line)));
+    std::fill_n(entries_.get(), size, Real{0});
+    if (design.outer())
+      fill_general(design);
+    else
+      fill_in_plane(design, kernels);
+  }
+
+  /// Refers to this object.
+  TermTable<Real> view() const {
+    TermTable<Real> view = view_;
+    view.entries = entries_.get();
+    view.basis = basis_.empty() ? nullptr : basis_.data();
+    view.inner.coefficients = inner_kernel_.coefficients().data();
+    view.outer.coefficients = outer_kernel_.coefficients().data();
+    return view;
+  }
+
+ private:
+  static constexpr std::align_val_t cache_line{64};
+  struct Free {
+    void operator()(Real* memory) const { ::operator delete(memory, cache_line); }
+  };
+  using Complex = std::complex<double>;
+
+  static TableAxis axis_view(const FourierAxis& axis, const InterpolationKernel& kernel,
+                             int index) {
+    const double grid = axis.grid_per_frequency_um();
+    return {index == 0 ? grid : 0,
+            index == 1 ? grid : 0,
+            axis.first(),
+            static_cast<long>(axis.stored()),
+            kernel.width(),
+            kernel.degree(),
+            kernel.pieces(),
+            kernel.tap_stride(),
+            nullptr};
+  }
+
+  Real* entry(std::size_t outer, std::size_t inner) {
+    return entries_.get() + (outer * static_cast<std::size_t>(view_.inner.count) + inner) * row_;
+  }
+  void store(std::size_t outer, std::size_t inner, int term, Complex value) {
+    Real* target = entry(outer, inner) + 2 * term;
+    target[0] = static_cast<Real>(value.real());
+    target[1] = static_cast<Real>(value.imag());
+  }
+
+  /// Cuts `count` things into tasks of at most `batch` and hands each task a transform.
+  template <class Each>
+  static void spread(const ChebyshevDesign& design, FourierPool& pool, std::size_t count,
+                     std::size_t batch, Each each) {
+    design.executor()((count + batch - 1) / batch, [&](std::size_t task) {
+      FourierPool::Lease fourier(pool);
+      for (std::size_t i = task * batch; i < std::min(count, (task + 1) * batch); ++i)
+        each(*fourier, i);
+    });
+  }
+
+  void fill_in_plane(const ChebyshevDesign& design, const SeriesKernels& kernels) {
+    const ChebyshevColumns columns = contracted_columns(design, kernels);
+    FourierPool pool(design.inner().length());
+    spread(design, pool, static_cast<std::size_t>(view_.terms), terms_of_task(design),
+           [&](ComplexFourier1d& fourier, std::size_t term) {
+             transform_columns(design, columns, fourier, static_cast<int>(term));
+           });
+  }
+
+  /// Starting a thread takes as long as some 10,000 points to transform.
+  static std::size_t terms_of_task(const ChebyshevDesign& design) {
+    return 1 + 10'000 / design.inner().length();
+  }
+
+  void transform_columns(const ChebyshevDesign& design, const ChebyshevColumns& columns,
+                         ComplexFourier1d& fourier, int r) {
+    std::vector<Complex> mixed(columns.count);
+    for (int m = design.terms().odd(r) ? 1 : 0; m < view_.degrees; m += 2) {
+      const double coefficient = design.terms().pixel_basis()(m, r);
+      const Complex* column = columns.samples.data() + static_cast<std::size_t>(m) * columns.count;
+      for (std::size_t i = 0; i < columns.count; ++i) mixed[i] += coefficient * column[i];
+    }
+    const Complex turn = design.terms().odd(r) ? Complex(0, 1) : Complex(1, 0);
+    design.inner().transform(
+        fourier, [&](std::size_t i) { return mixed[i]; },
+        [&](std::size_t slot, Complex value) { store(0, slot, r, turn * value); });
+  }
+
+  /// a_r(s) without its factor i, by Clenshaw over the degrees of its parity.
+  static double term_value(const ChebyshevTerms& terms, int r, double s) {
+    const double* coefficients = terms.pixel_basis().col(r).data();
+    const double twice = 2 * (2 * s * s - 1);  // 2 T_2(s): steps of two
+    double next = 0, current = 0;
+    const int parity = terms.odd(r) ? 1 : 0, last = terms.degrees() - 1;
+    for (int m = last - (last - parity) % 2; m >= parity; m -= 2)
+      next = std::exchange(current, coefficients[m] + twice * current - next);
+    // Even degrees: b_0 - b_2 T_2; odd: s (b_1 - b_3).
+    return parity == 0 ? current - next * (2 * s * s - 1) : s * (current - next);
+  }
+
+  void fill_general(const ChebyshevDesign& design) {
+    const HeightField& field = *design.surface().heights;
+    const PixelStrip scale = pixel_scale(design);
+    const FourierAxis &outer = *design.outer(), &inner = design.inner();
+    const auto rows = static_cast<std::size_t>(field.rows()),
+               cols = static_cast<std::size_t>(field.cols());
+    HeightArray s = (field.heights_um() - scale.mid_um) * scale.per_half_range_um;
+    std::vector<Complex> carrier(rows * cols), lines(outer.stored() * rows);
+    constexpr std::size_t batch = 16;
+    FourierPool along_x(outer.length()), along_y(inner.length());
+    for (int r = 0; r < view_.terms; ++r) {
+      spread(design, along_x, rows, batch, [&](ComplexFourier1d& fourier, std::size_t row) {
+        const double* s_row = s.data() + row * cols;
+        Complex* carrier_row = carrier.data() + row * cols;
+        if (r == 0)
+          for (std::size_t col = 0; col < cols; ++col)
+            carrier_row[col] = std::polar(1.0, scale.phase_per_s * s_row[col]);
+        outer.transform(
+            fourier,
+            [&](std::size_t col) {
+              return carrier_row[col] * term_value(design.terms(), r, s_row[col]);
+            },
+            [&](std::size_t slot, Complex value) { lines[slot * rows + row] = value; });
+      });
+      const Complex turn = design.terms().odd(r) ? Complex(0, 1) : Complex(1, 0);
+      spread(design, along_y, outer.stored(), batch,
+             [&](ComplexFourier1d& fourier, std::size_t line) {
+               inner.transform(
+                   fourier, [&](std::size_t row) { return lines[line * rows + row]; },
+                   [&](std::size_t slot, Complex value) { store(line, slot, r, turn * value); });
+             });
+    }
+  }
+
+  InterpolationKernel inner_kernel_, outer_kernel_ = InterpolationKernel::semicircle(2, 2);
+  TermTable<Real> view_{};
+  std::vector<double> basis_;
+  std::size_t row_ = 0;
+  std::unique_ptr<Real[], Free> entries_;
+};
+
+}  // namespace brdf

@@ -1,0 +1,391 @@
+#include "evaluation/kernels/series_kernels.h"
+
+#include <cmath>
+
+// Vectors of unknown size cannot be kept in arrays.
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "evaluation/kernels/series_kernels.cpp"
+#include <hwy/foreach_target.h>  // compiles this file once per instruction set
+#include <hwy/highway.h>
+
+// Only plain arrays and Highway inside: a template of the standard library would be instantiated
+// with the instruction set of one target and linked into all of them.
+HWY_BEFORE_NAMESPACE();
+namespace evaluation {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using brdf::PixelStrip;
+using brdf::Query;
+using brdf::TableAxis;
+using brdf::TermTable;
+
+constexpr int block = 8;  // queries prepared together
+using D = hn::CappedTag<double, block>;
+using Vec = hn::Vec<D>;
+constexpr D d;
+constexpr hn::RebindToSigned<D> di;
+constexpr int lanes = static_cast<int>(hn::MaxLanes(D()));
+// Four running sums hide the latency of a product and leave registers for the rest.
+constexpr int group = 4;
+
+struct SineCosine {
+  Vec sine, cosine;
+};
+
+/// Sine and cosine to 1e-16, for abs(x) <= 1e6.
+HWY_INLINE SineCosine sine_cosine(Vec x) {
+  // Adding 1.5 * 2^52 rounds to a whole number and leaves it in the low bits.
+  const Vec magic = hn::Set(d, 6755399441055744.0);
+  const Vec shifted = hn::Add(hn::Mul(x, hn::Set(d, 0.63661977236758134308)), magic);
+  const Vec n = hn::Sub(shifted, magic);
+  const auto quadrant = hn::BitCast(di, shifted);
+  // pi / 2 in parts of 33 bits, so that n times a part is exact.
+  Vec r = hn::NegMulAdd(n, hn::Set(d, 1.57079632673412561417e+00), x);
+  r = hn::NegMulAdd(n, hn::Set(d, 6.07710050630396597660e-11), r);
+  r = hn::NegMulAdd(n, hn::Set(d, 2.02226624879595063154e-21), r);
+  const Vec r2 = hn::Mul(r, r);
+  // Taylor: at pi / 4 the first term left out is 5e-17 (sine) and 2e-18 (cosine).
+  Vec s = hn::Set(d, -1.0 / 1307674368000);
+  s = hn::MulAdd(s, r2, hn::Set(d, 1.0 / 6227020800));
+  s = hn::MulAdd(s, r2, hn::Set(d, -1.0 / 39916800));
+  s = hn::MulAdd(s, r2, hn::Set(d, 1.0 / 362880));
+  s = hn::MulAdd(s, r2, hn::Set(d, -1.0 / 5040));
+  s = hn::MulAdd(s, r2, hn::Set(d, 1.0 / 120));
+  s = hn::MulAdd(s, r2, hn::Set(d, -1.0 / 6));
+  s = hn::MulAdd(hn::Mul(s, r2), r, r);
+  Vec c = hn::Set(d, 1.0 / 20922789888000);
+  c = hn::MulAdd(c, r2, hn::Set(d, -1.0 / 87178291200));
+  c = hn::MulAdd(c, r2, hn::Set(d, 1.0 / 479001600));
+  c = hn::MulAdd(c, r2, hn::Set(d, -1.0 / 3628800));
+  c = hn::MulAdd(c, r2, hn::Set(d, 1.0 / 40320));
+  c = hn::MulAdd(c, r2, hn::Set(d, -1.0 / 720));
+  c = hn::MulAdd(c, r2, hn::Set(d, 1.0 / 24));
+  c = hn::MulAdd(c, r2, hn::Set(d, -0.5));
+  c = hn::MulAdd(c, r2, hn::Set(d, 1.0));
+  const auto one = hn::Set(di, 1), two = hn::Set(di, 2);
+  const auto swap = hn::RebindMask(d, hn::TestBit(quadrant, one));
+  const auto sine_sign = hn::ShiftLeft<62>(hn::And(quadrant, two));
+  const auto cosine_sign = hn::ShiftLeft<62>(hn::And(hn::Add(quadrant, one), two));
+  return {hn::Xor(hn::IfThenElse(swap, c, s), hn::BitCast(d, sine_sign)),
+          hn::Xor(hn::IfThenElse(swap, s, c), hn::BitCast(d, cosine_sign))};
+}
+
+HWY_INLINE Vec load(const double* from) {
+  return hn::LoadU(d, from);
+}
+HWY_INLINE Vec load(const float* from) {
+  return hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, D>(), from));
+}
+
+/// One axis of a block of queries.
+struct AxisBlock {
+  HWY_ALIGN double taps[block][brdf::InterpolationKernel::max_width];
+  HWY_ALIGN double first[block];
+};
+
+HWY_INLINE void prepare(const TableAxis& axis, const double* qx, const double* qy, AxisBlock& out) {
+  if (axis.width == 1) {
+    for (int q = 0; q < block; ++q) {
+      out.taps[q][0] = 1;
+      out.first[q] = 0;
+    }
+    return;
+  }
+  HWY_ALIGN double t[block], piece[block];
+  for (int q = 0; q < block; q += lanes) {
+    // Products rounded one by one as in the portable loop: both must pick the same grid points.
+    const Vec start =
+        hn::Sub(hn::Add(hn::Mul(hn::Load(d, qx + q), hn::Set(d, axis.grid_per_qx_um)),
+                        hn::Mul(hn::Load(d, qy + q), hn::Set(d, axis.grid_per_qy_um))),
+                hn::Set(d, 0.5 * axis.width));
+    const Vec k0 = hn::Ceil(start);
+    const Vec scaled = hn::Mul(hn::Sub(k0, start), hn::Set(d, axis.pieces));
+    const Vec whole = hn::Min(hn::Floor(scaled), hn::Set(d, axis.pieces - 1.0));
+    const Vec fraction = hn::Sub(scaled, whole);
+    hn::Store(hn::Sub(hn::Add(fraction, fraction), hn::Set(d, 1.0)), d, t + q);
+    hn::Store(whole, d, piece + q);
+    const Vec local = hn::Sub(k0, hn::Set(d, static_cast<double>(axis.first)));
+    hn::Store(hn::Min(hn::Max(local, hn::Zero(d)),
+                      hn::Set(d, static_cast<double>(axis.count - axis.width))),
+              d, out.first + q);
+  }
+  for (int q = 0; q < block; ++q) {
+    const double* coefficients =
+        axis.coefficients + static_cast<long>(piece[q]) * (axis.degree + 1) * axis.tap_stride;
+    const Vec x = hn::Set(d, t[q]);
+    for (int tap = 0; tap < axis.tap_stride; tap += lanes) {
+      Vec weight = hn::LoadU(d, coefficients + axis.degree * axis.tap_stride + tap);
+      for (int power = axis.degree - 1; power >= 0; --power)
+        weight = hn::MulAdd(weight, x, hn::LoadU(d, coefficients + power * axis.tap_stride + tap));
+      hn::StoreU(weight, d, &out.taps[q][tap]);
+    }
+  }
+}
+
+/// sum over taps of count vectors of an entry, times T_n of the query: (re, im) added to sum.
+template <int count, class Real>
+HWY_INLINE Vec gather_group(const TermTable<Real>& table, const Real* entry, std::size_t row,
+                            const double* outer, const double* inner, const double* chebyshev) {
+  Vec total[count];
+  for (int v = 0; v < count; ++v) total[v] = hn::Zero(d);
+  const std::size_t line = static_cast<std::size_t>(table.inner.count) * row;
+  for (int o = 0; o < table.outer.width; ++o) {
+    Vec along[count];
+    for (int v = 0; v < count; ++v) along[v] = hn::Zero(d);
+    const Real* from = entry + static_cast<std::size_t>(o) * line;
+#pragma GCC unroll 4
+    for (int i = 0; i < table.inner.width; ++i, from += row) {
+      const Vec weight = hn::Set(d, inner[i]);
+      for (int v = 0; v < count; ++v)
+        along[v] = hn::MulAdd(weight, load(from + v * lanes), along[v]);
+    }
+    const Vec weight = hn::Set(d, outer[o]);
+    for (int v = 0; v < count; ++v) total[v] = hn::MulAdd(weight, along[v], total[v]);
+  }
+  // [T_0, T_1, ...] to [T_0, T_0, T_1, T_1, ...], for (re, im).
+  HWY_ALIGN hn::TFromD<decltype(di)> pairs[lanes];
+  for (int l = 0; l < lanes; ++l) pairs[l] = l / 2;
+  const auto twice = hn::SetTableIndices(d, pairs);
+  Vec sum = hn::Zero(d);
+  for (int v = 0; v < count; ++v) {
+    const int n = v * lanes / 2;
+    const double* from = chebyshev + n / 4 * (4 * block) + n % 4;
+    sum = hn::MulAdd(hn::TableLookupLanes(hn::LoadU(d, from), twice), total[v], sum);
+  }
+  return sum;
+}
+
+template <class Real>
+HWY_INLINE Vec gather_some(int count, const TermTable<Real>& table, const Real* entry,
+                           std::size_t row, const double* outer, const double* inner,
+                           const double* chebyshev) {
+  switch (count) {
+    case 1:
+      return gather_group<1>(table, entry, row, outer, inner, chebyshev);
+    case 2:
+      return gather_group<2>(table, entry, row, outer, inner, chebyshev);
+    case 3:
+      return gather_group<3>(table, entry, row, outer, inner, chebyshev);
+    default:
+      return gather_group<4>(table, entry, row, outer, inner, chebyshev);
+  }
+}
+
+/// Sums over the even and over the odd lanes.
+HWY_INLINE void reduce_pairs(Vec sum, double& re, double& im) {
+  HWY_ALIGN double parts[lanes];
+#if HWY_MAX_BYTES >= 64
+  const hn::Half<D> half;
+  const hn::Half<decltype(half)> quarter;
+  const auto four = hn::Add(hn::LowerHalf(half, sum), hn::UpperHalf(half, sum));
+  hn::Store(hn::Add(hn::LowerHalf(quarter, four), hn::UpperHalf(quarter, four)), quarter, parts);
+  re += parts[0];
+  im += parts[1];
+#else
+  hn::Store(sum, d, parts);
+  for (int l = 0; l < lanes; l += 2) {
+    re += parts[l];
+    im += parts[l + 1];
+  }
+#endif
+}
+
+/// T_n, and the step to the next; twice_tau is 2 tau.
+HWY_INLINE Vec next_chebyshev(Vec twice_tau, Vec& current, Vec& previous) {
+  const Vec t = current;
+  current = hn::MulSub(twice_tau, current, previous);
+  previous = t;
+  return t;
+}
+
+/// u_r of a table with a basis.
+template <class Real>
+HWY_INLINE Vec basis_term(const TermTable<Real>& table, int r, const double* powers) {
+  Vec sum = hn::Zero(d);
+  if (r >= table.terms) return sum;
+  const double* row = table.basis + r * table.degrees;
+  for (int n = r < table.even_terms ? 0 : 1; n < table.degrees; n += 2)
+    sum = hn::MulAdd(hn::Set(d, row[n]), hn::Load(d, powers + n * block), sum);
+  return sum;
+}
+
+template <class Real>
+HWY_INLINE void gather_block(const TermTable<Real>& table, const Query* queries, double* out) {
+  HWY_ALIGN double qx[block], qy[block], re[block] = {}, im[block] = {};
+  Vec tau[block / lanes], previous[block / lanes], current[block / lanes], phase[block / lanes];
+  bool far = false;
+  for (int q = 0, g = 0; q < block; q += lanes, ++g) {
+    Vec x, y, c;
+    hn::LoadInterleaved3(d, &queries[q].qx_per_um, x, y, c);
+    hn::Store(x, d, qx + q);
+    hn::Store(y, d, qy + q);
+    tau[g] = hn::Mul(hn::Sub(c, hn::Set(d, table.c_mid_per_um)), hn::Set(d, table.per_c_um));
+    previous[g] = tau[g];  // T_{-1} = T_1
+    current[g] = hn::Set(d, 1.0);
+    tau[g] = hn::Add(tau[g], tau[g]);
+    phase[g] = hn::Add(hn::Add(hn::Mul(hn::Set(d, table.phase_per_c_um), c),
+                               hn::Mul(hn::Set(d, table.phase_per_qx_um), x)),
+                       hn::Mul(hn::Set(d, table.phase_per_qy_um), y));
+    far = far || !hn::AllTrue(d, hn::Le(hn::Abs(phase[g]), hn::Set(d, 1e6)));
+  }
+  AxisBlock outer, inner;
+  prepare(table.outer, qx, qy, outer);
+  prepare(table.inner, qx, qy, inner);
+  const auto row = static_cast<std::size_t>(2 * table.padded_terms());
+  const int vectors = static_cast<int>(row) / lanes, terms_per_group = group * lanes / 2;
+  // [four terms][query][term], and what a load of whole vectors reads past it.
+  constexpr int size = group * lanes / 2 * block;
+  HWY_ALIGN double chebyshev[size + block];
+  for (int i = size; i < size + block; ++i) chebyshev[i] = 0;
+  HWY_ALIGN double powers[TermTable<Real>::max_degrees * block];  // [n][query]: T_n
+  if (table.basis != nullptr)
+    for (int n = 0; n < table.degrees; ++n)
+      for (int q = 0, g = 0; q < block; q += lanes, ++g)
+        hn::Store(next_chebyshev(tau[g], current[g], previous[g]), d, powers + n * block + q);
+  for (int v = 0; v < vectors; v += group) {
+    for (int n = 0; n < terms_per_group; n += 4)
+      for (int q = 0, g = 0; q < block; q += lanes, ++g) {
+        Vec u[4];
+        for (int k = 0; k < 4; ++k)
+          u[k] = table.basis != nullptr ? basis_term(table, v * lanes / 2 + n + k, powers + q)
+                                        : next_chebyshev(tau[g], current[g], previous[g]);
+        hn::StoreInterleaved4(u[0], u[1], u[2], u[3], d, chebyshev + n * block + 4 * q);
+      }
+    const int count = vectors - v < group ? vectors - v : group;
+    for (int q = 0; q < block; ++q) {
+      const Real* entry =
+          table.entries +
+          (static_cast<std::size_t>(outer.first[q]) * static_cast<std::size_t>(table.inner.count) +
+           static_cast<std::size_t>(inner.first[q])) *
+              row +
+          static_cast<std::size_t>(v * lanes);
+      const Vec sum =
+          gather_some(count, table, entry, row, outer.taps[q], inner.taps[q], chebyshev + 4 * q);
+      reduce_pairs(sum, re[q], im[q]);
+    }
+  }
+  for (int q = 0, g = 0; q < block; q += lanes, ++g) {
+    SineCosine turn = sine_cosine(phase[g]);
+    if (far) {
+      HWY_ALIGN double angle[lanes], sine[lanes], cosine[lanes];
+      hn::Store(phase[g], d, angle);
+      for (int l = 0; l < lanes; ++l) {
+        sine[l] = std::sin(angle[l]);
+        cosine[l] = std::cos(angle[l]);
+      }
+      turn = {hn::Load(d, sine), hn::Load(d, cosine)};
+    }
+    const Vec a = hn::Load(d, re + q), b = hn::Load(d, im + q);
+    hn::StoreInterleaved2(hn::Sub(hn::Mul(a, turn.cosine), hn::Mul(b, turn.sine)),
+                          hn::Add(hn::Mul(a, turn.sine), hn::Mul(b, turn.cosine)), d, out + 2 * q);
+  }
+}
+
+template <class Real>
+HWY_INLINE void gather(const TermTable<Real>& table, const Query* queries, std::size_t count,
+                       std::complex<double>* amplitudes) {
+  auto* out = reinterpret_cast<double*>(amplitudes);
+  std::size_t first = 0;
+  for (; first + block <= count; first += block)
+    gather_block(table, queries + first, out + 2 * first);
+  if (first == count) return;
+  // The last ones once more through the same instructions: a query's bits never depend on its
+  // place.
+  Query rest[block];
+  double results[2 * block];
+  for (std::size_t q = 0; q < block; ++q)
+    rest[q] = queries[first + q < count ? first + q : count - 1];
+  gather_block(table, rest, results);
+  for (std::size_t q = 0; q < 2 * (count - first); ++q) out[2 * first + q] = results[q];
+}
+
+void gather_float(const TermTable<float>& table, const Query* queries, std::size_t count,
+                  std::complex<double>* amplitudes) {
+  gather(table, queries, count, amplitudes);
+}
+
+void gather_double(const TermTable<double>& table, const Query* queries, std::size_t count,
+                   std::complex<double>* amplitudes) {
+  gather(table, queries, count, amplitudes);
+}
+
+/// `unrolled` steps of one vector of lanes: the sums are loaded and stored once for all of them.
+template <int unrolled>
+HWY_INLINE void contract_steps(const PixelStrip& strip, const double* from, std::size_t step,
+                               int terms, double* sums) {
+  Vec re[unrolled], im[unrolled], twice[unrolled], previous[unrolled], current[unrolled];
+  for (int u = 0; u < unrolled; ++u) {
+    const auto* weight = reinterpret_cast<const double*>(strip.weights + step + u);
+    const Vec h = hn::LoadU(d, from + static_cast<std::ptrdiff_t>(step + u) * strip.stride);
+    const Vec s =
+        hn::Mul(hn::Sub(h, hn::Set(d, strip.mid_um)), hn::Set(d, strip.per_half_range_um));
+    const SineCosine turn = sine_cosine(hn::Mul(hn::Set(d, strip.phase_per_s), s));
+    const Vec a = hn::Set(d, weight[0]), b = hn::Set(d, weight[1]);
+    re[u] = hn::NegMulAdd(b, turn.sine, hn::Mul(a, turn.cosine));
+    im[u] = hn::MulAdd(b, turn.cosine, hn::Mul(a, turn.sine));
+    twice[u] = hn::Add(s, s);
+    previous[u] = s;  // T_{-1} = T_1
+    current[u] = hn::Set(d, 1.0);
+  }
+  for (int m = 0; m < terms; ++m, sums += 2 * PixelStrip::lanes) {
+    Vec sum_re = hn::LoadU(d, sums), sum_im = hn::LoadU(d, sums + PixelStrip::lanes);
+    for (int u = 0; u < unrolled; ++u) {
+      sum_re = hn::MulAdd(re[u], current[u], sum_re);
+      sum_im = hn::MulAdd(im[u], current[u], sum_im);
+      const Vec next = hn::MulSub(twice[u], current[u], previous[u]);
+      previous[u] = current[u];
+      current[u] = next;
+    }
+    hn::StoreU(sum_re, d, sums);
+    hn::StoreU(sum_im, d, sums + PixelStrip::lanes);
+  }
+}
+
+void contract(const PixelStrip& strip, int terms, double* sums) {
+  if (!(std::abs(strip.phase_per_s) <= 1e6)) return brdf::portable_contract(strip, terms, sums);
+  for (int i = 0; i < 2 * PixelStrip::lanes * terms; ++i) sums[i] = 0;
+  // Five vectors a step have to stay in registers: 32 of them with AVX-512, 16 else.
+  constexpr int unrolled = lanes == 8 ? 4 : 2;
+  for (int lane = 0; lane < PixelStrip::lanes; lane += lanes) {
+    std::size_t step = 0;
+    for (; step + unrolled <= strip.steps; step += unrolled)
+      contract_steps<unrolled>(strip, strip.first_um + lane, step, terms, sums + lane);
+    for (; step < strip.steps; ++step)
+      contract_steps<1>(strip, strip.first_um + lane, step, terms, sums + lane);
+  }
+}
+
+const char* target_name() {
+  return hwy::TargetName(HWY_TARGET);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace evaluation
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace evaluation {
+
+HWY_EXPORT(gather_float);
+HWY_EXPORT(gather_double);
+HWY_EXPORT(contract);
+HWY_EXPORT(target_name);
+
+const brdf::SeriesKernels& vectorised_kernels() {
+  static const brdf::SeriesKernels kernels = [] {
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    return brdf::SeriesKernels{&HWY_DYNAMIC_DISPATCH(gather_float),
+                               &HWY_DYNAMIC_DISPATCH(gather_double),
+                               &HWY_DYNAMIC_DISPATCH(contract)};
+  }();
+  return kernels;
+}
+
+std::string_view instruction_set() {
+  return HWY_DYNAMIC_DISPATCH(target_name)();
+}
+
+}  // namespace evaluation
+#endif

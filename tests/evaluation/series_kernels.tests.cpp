@@ -1,0 +1,131 @@
+// The vectorised loops of the Chebyshev series against the portable ones.
+#include "evaluation/kernels/series_kernels.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <complex>
+#include <random>
+#include <vector>
+
+#include "brdf/chebyshev_series.h"
+#include "brdf/direct_sum.h"
+
+using namespace brdf;
+
+namespace {
+
+constexpr unsigned seed = 7;
+
+using Amplitudes = std::vector<std::complex<double>>;
+
+HeightField rough(Eigen::Index rows, Eigen::Index cols, double height_um) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0, height_um);
+  return HeightField(HeightArray::NullaryExpr(rows, cols, [&] { return uniform(random); }),
+                     Length::um(0.1), Length::um(0.12));
+}
+
+std::vector<Query> queries(bool in_plane, std::size_t count) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<Query> result;
+  for (std::size_t i = 0; i < count; ++i)
+    result.push_back(
+        {30 * uniform(random), in_plane ? 0.3 : 25 * uniform(random), -18 + 14 * uniform(random)});
+  result.push_back({0, in_plane ? 0.3 : 0, -10});  // on a grid point
+  return result;
+}
+
+QueryBounds many(std::span<const Query> some, double tolerance) {
+  QueryBounds bounds = bounds_of(some, tolerance);
+  bounds.count = 10'000'000;
+  return bounds;
+}
+
+Amplitudes amplitudes(const ChebyshevSeriesPlan& plan, std::span<const Query> some) {
+  Amplitudes result(some.size());
+  plan.evaluate(some, result);
+  return result;
+}
+
+double largest_difference(const Amplitudes& a, const Amplitudes& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double difference = std::abs(a[i] - b[i]);
+    if (!(difference <= largest)) largest = difference;
+  }
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("vectorised amplitudes equal the portable ones to 1e-13", "[series_kernels][oracle]") {
+  const bool in_plane = GENERATE(true, false);
+  const auto model =
+      GENERATE(SurfaceModel::isolated, SurfaceModel::periodic, SurfaceModel::replicated);
+  const double height_um = GENERATE(0.0, 0.15, 3.0);
+  const double tolerance = GENERATE(1e-1, 1e-6, 1e-12);
+  const std::size_t double_table_bytes = GENERATE(0u, 1u << 30);
+  CAPTURE(in_plane, static_cast<int>(model), height_um, tolerance, double_table_bytes, seed);
+  const HeightField field = rough(33, 45, height_um);
+  const Surface surface{
+      &field, GaussianWindow(Length::um(1.2)), model, Origin::patch_corner, {2, 3}};
+  const std::vector<Query> some = queries(in_plane, 203);
+  const SeriesSettings settings{.double_table_bytes = double_table_bytes};
+  const ChebyshevSeriesPlan portable =
+      ChebyshevSeries(portable_kernels, settings).plan(surface, many(some, tolerance));
+  const ChebyshevSeriesPlan vectorised = ChebyshevSeries(evaluation::vectorised_kernels(), settings)
+                                             .plan(surface, many(some, tolerance));
+  const double difference =
+      largest_difference(amplitudes(portable, some), amplitudes(vectorised, some));
+  CAPTURE(evaluation::instruction_set(), difference);
+  // Tables in single precision are filled by other loops and may round the last bit differently:
+  // 2^-24 of an entry, up to three entries' worth.
+  const bool single = portable.explain().storage == TableStorage::single_precision;
+  CHECK(difference <= (single ? 2e-7 : 1e-13));
+}
+
+TEST_CASE("vectorised gather of one and the same single-precision table equals the portable one",
+          "[series_kernels][oracle]") {
+  const HeightField field = rough(33, 45, 0.4);
+  const Surface surface{&field, GaussianWindow(Length::um(1.2)), SurfaceModel::isolated};
+  const std::vector<Query> some = queries(false, 203);
+  const ChebyshevDesign design(surface, many(some, 1e-6), {.double_table_bytes = 0});
+  REQUIRE(design.parts().storage == TableStorage::single_precision);
+  const ChebyshevTable<float> table(design, portable_kernels);
+  Amplitudes portable(some.size()), vectorised(some.size());
+  portable_kernels.gather_float(table.view(), some.data(), some.size(), portable.data());
+  evaluation::vectorised_kernels().gather_float(table.view(), some.data(), some.size(),
+                                                vectorised.data());
+  CHECK(largest_difference(portable, vectorised) <= 1e-13);
+}
+
+TEST_CASE("vectorised amplitudes do not depend on the batch", "[series_kernels][invariant]") {
+  const bool in_plane = GENERATE(true, false);
+  const HeightField field = rough(33, 45, 0.4);
+  const Surface surface{&field, GaussianWindow(Length::um(1.2)), SurfaceModel::isolated};
+  const std::vector<Query> some = queries(in_plane, 9001);  // above the size that is sorted
+  const ChebyshevSeriesPlan plan =
+      ChebyshevSeries(evaluation::vectorised_kernels()).plan(surface, many(some, 1e-6));
+  const Amplitudes whole = amplitudes(plan, some);
+  for (std::size_t first = 0; first < 300; first += 7) {
+    const std::size_t count = 1 + first % 19;
+    CHECK(amplitudes(plan, std::span(some).subspan(first, count)) ==
+          Amplitudes(whole.begin() + static_cast<long>(first),
+                     whole.begin() + static_cast<long>(first + count)));
+  }
+}
+
+TEST_CASE("vectorised amplitudes keep the tolerance", "[series_kernels][oracle]") {
+  const bool in_plane = GENERATE(true, false);
+  const HeightField field = rough(40, 48, 0.8);
+  const Surface surface{&field, GaussianWindow(Length::um(1.2)), SurfaceModel::isolated};
+  const std::vector<Query> some = queries(in_plane, 40);
+  Amplitudes reference(some.size());
+  DirectSum{}.plan(surface, many(some, 1)).evaluate(some, reference);
+  for (const double tolerance : {1e-1, 1e-3, 1e-6, 1e-9, 1e-12})
+    CHECK(largest_difference(amplitudes(ChebyshevSeries(evaluation::vectorised_kernels())
+                                            .plan(surface, many(some, tolerance)),
+                                        some),
+                             reference) <= tolerance);
+}
