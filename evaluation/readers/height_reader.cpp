@@ -67,7 +67,7 @@ HeightFile read_heights(const std::filesystem::path& path, const HeightScale& sc
     throw Error(Errc::bad_input,
                 name + ": not a known format; PNG and Gwyddion Simple Field (.gsf) are read");
 
-  const auto [pixel_x, pixel_y] = pixel_size(raw, scale, name);
+  const std::pair<Length, Length> pixel = pixel_size(raw, scale, name);
   const Length unit = height_unit(raw, scale, name);
   // Integer codes are one unit apart, floats one rounding of the largest value.
   const double code = raw.full_scale
@@ -77,7 +77,7 @@ HeightFile read_heights(const std::filesystem::path& path, const HeightScale& sc
   raw.values *= unit.um();
   const Length step = Length::um(code * unit.um());
   return brdf::at_place(name, [&]() -> HeightFile {
-    return {brdf::HeightField(std::move(raw.values), pixel_x, pixel_y, step), raw.format,
+    return {brdf::HeightField(std::move(raw.values), pixel.first, pixel.second, step), raw.format,
             sha256_hex(bytes)};
   });
 }

@@ -51,8 +51,8 @@ class Axis50 {
     if (surface.model == SurfaceModel::replicated) last = count * replicas - 1;
     if (surface.model == SurfaceModel::periodic) {
       // All repetitions that a part of the window above exp(-12^2 / 2) = 5e-32 falls on.
-      const long copies =
-          1 + static_cast<long>(12 * surface.window.sigma_um() / (pixel_um * double(count)));
+      const long copies = 1 + static_cast<long>(12 * surface.window.sigma_um() /
+                                                (pixel_um * static_cast<double>(count)));
       first = -count * copies;
       last = count * (copies + 1) - 1;
     }
@@ -169,8 +169,8 @@ void check(const Surface& surface, const std::vector<Query>& queries,
   };
   for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12})
     for (const std::size_t double_table_bytes : {std::size_t{64} << 20, std::size_t{0}}) {
-      const ChebyshevSeries method(
-          brdf::portable_kernels, {brdf::SmallRequests::by_series, double_table_bytes});
+      const ChebyshevSeries method(brdf::portable_kernels,
+                                   {brdf::SmallRequests::by_series, double_table_bytes});
       const auto plan = method.plan(surface, bounds_of(queries, tolerance));
       const double error = worst_of(plan), bound = plan.report().error_bound;
       CAPTURE(tolerance, double_table_bytes, bound);
@@ -192,19 +192,37 @@ TEST_CASE("series and direct sum meet 50-digit arithmetic within tolerance and b
   Uniform uniform(seed + 1);
   std::vector<Query> queries;
   for (int i = 0; i < 8; ++i)
-    queries.push_back(query(random_direction(uniform), random_direction(uniform),
-                            Length::nm(uniform(380, 780))));
+    queries.push_back(
+        query(random_direction(uniform), random_direction(uniform), Length::nm(uniform(380, 780))));
   const HeightField field = relief(kind, bounds_of(queries, 1).max_abs_c_per_um());
   std::vector<std::vector<Complex50>> reliefs;
   for (const Query& q : queries) reliefs.push_back(relief_phasors(field, q.c_per_um));
-  // A window cut at the patch's edge at 1.2 sigma, and across it in two.
+  // The window is cut at the patch's edge, at 1.2 sigma.
   for (const SurfaceModel model :
        {SurfaceModel::isolated, SurfaceModel::periodic, SurfaceModel::replicated})
     for (const Plane plane : {Plane::along_x, Plane::along_y, Plane::general}) {
       CAPTURE(static_cast<int>(kind), static_cast<int>(model), static_cast<int>(plane), seed);
-      const Surface surface{&field, brdf::GaussianWindow(Length::um(1.8)), model,
-                            brdf::Origin::patch_centre, {3, 2}};
+      const Surface surface{
+          &field, brdf::GaussianWindow(Length::um(1.8)), model, brdf::Origin::patch_centre, {3, 2}};
       const std::vector<Query> request = in_plane(queries, plane);
       check(surface, request, by_definition(surface, request, reliefs));
     }
+}
+
+TEST_CASE("bounds cover the rounding of a window over hundreds of repetitions",
+          "[chebyshev_series][direct_sum][oracle]") {
+  CAPTURE(seed);
+  const double sigma_um = GENERATE(2.0, 35.0);
+  CAPTURE(sigma_um);
+  const HeightField field = sampled(2, 12, 0.075, 0.096, [](double x_um, double) { return x_um; });
+  const Surface surface{&field, brdf::GaussianWindow(Length::um(sigma_um)), SurfaceModel::periodic};
+  Uniform uniform(seed + 2);
+  std::vector<Query> queries;
+  std::vector<std::vector<Complex50>> reliefs;
+  for (int i = 0; i < 8; ++i) {
+    // Where the amplitude is large: about the first lines, each 2 pi / 0.9 um and 1 / sigma wide.
+    queries.push_back({(i % 2) * 2 * pi / 0.9 + uniform(-0.3, 0.3) / sigma_um, 0, -uniform(2, 10)});
+    reliefs.push_back(relief_phasors(field, queries.back().c_per_um));
+  }
+  check(surface, queries, by_definition(surface, queries, reliefs));
 }

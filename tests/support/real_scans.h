@@ -28,11 +28,11 @@ inline std::map<std::string, std::vector<ScanCase>> scan_cases() {
     REQUIRE(row.size() == 9);
     std::vector<double> v;
     for (std::size_t i = 1; i < row.size(); ++i) v.push_back(number(row[i]));
-    by_file[row[0]].push_back({v[0],
-                               query(brdf::direction(Angle::deg(v[1]), Angle::deg(v[2])),
-                                     brdf::direction(Angle::deg(v[3]), Angle::deg(v[4])),
-                                     brdf::Length::nm(v[5])),
-                               {v[6], v[7]}});
+    by_file[row[0]].push_back(
+        {v[0],
+         query(brdf::direction(Angle::deg(v[1]), Angle::deg(v[2])),
+               brdf::direction(Angle::deg(v[3]), Angle::deg(v[4])), brdf::Length::nm(v[5])),
+         {v[6], v[7]}});
   }
   return by_file;
 }
