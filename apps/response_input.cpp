@@ -32,6 +32,16 @@ std::optional<Angle> angle(const std::optional<Angle>& option, const Json& sidec
   return std::nullopt;
 }
 
+/// The response that the stated error of the amplitude could make where there is none: its square,
+/// for quantities whose gain is about 1; 0 where nothing is known.
+double response_floor(const Json& sidecar) {
+  const Json::json_pointer bound("/error/amplitude_bound"), quantity("/parameters/quantity");
+  if (!sidecar.contains(bound) || !sidecar[bound].is_number()) return 0;
+  if (sidecar.value(quantity, "") == "brdf") return 0;
+  const double error = sidecar[bound].get<double>();
+  return error * error;
+}
+
 bool is_thesis_preset(const Json& sidecar) {
   const Json::json_pointer pointer("/parameters/preset");
   return sidecar.contains(pointer) && sidecar[pointer] == "thesis";
@@ -109,6 +119,7 @@ ResponseInput ResponseOptions::read() const {
       sigma ? std::optional(sigma->um()) : parameter(sidecar, "sigma_um");
   if (sigma_um)
     input.plane.sigma_f_per_um = brdf::GaussianWindow(Length::um(*sigma_um)).sigma_f_per_um();
+  input.search.floor = response_floor(sidecar);
   if (window) input.search.theta_r_deg = {window->first.deg(), window->second.deg()};
   input.search.refinement =
       refinement.value_or(is_thesis_preset(sidecar) ? Refinement::grid : Refinement::parabola);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <complex>
+#include <functional>
 #include <span>
 #include <thread>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "brdf/direct_sum.h"
 #include "evaluation/kernels/phase_sum.h"
 #include "evaluation/kernels/series_kernels.h"
+#include "evaluation/parallel.h"
 
 namespace benchmarks {
 
@@ -52,8 +54,14 @@ double evaluate(const Plan& plan, std::span<const brdf::Query> queries,
                                    : *std::max_element(each_s.begin(), each_s.end());
 }
 
-inline brdf::ChebyshevSeries engine() {
-  return brdf::ChebyshevSeries(evaluation::vectorised_kernels());
+/// The engine, its plans made by that many threads.
+inline brdf::ChebyshevSeries engine(std::size_t threads = 1) {
+  brdf::SeriesSettings settings;
+  if (threads > 1)
+    settings.executor = [threads](std::size_t count, const std::function<void(std::size_t)>& task) {
+      evaluation::parallel_for(count, static_cast<int>(threads), task);
+    };
+  return brdf::ChebyshevSeries(evaluation::vectorised_kernels(), settings);
 }
 
 /// Bounds of the queries, plan, and all amplitudes.
@@ -61,7 +69,7 @@ inline EngineTimes run_engine(const brdf::Surface& surface, const Queries& queri
                               double tolerance, Amplitudes& amplitudes, Run run = {}) {
   amplitudes.resize(queries.size());
   const Stopwatch planning(run.time);
-  const auto plan = engine().plan(surface, brdf::bounds_of(queries, tolerance));
+  const auto plan = engine(run.threads).plan(surface, brdf::bounds_of(queries, tolerance));
   const double plan_s = planning.seconds();
   return {plan_s, evaluate(plan, queries, amplitudes, run)};
 }

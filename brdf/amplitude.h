@@ -7,6 +7,7 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "brdf/surface.h"
@@ -18,11 +19,18 @@ struct Query {
   double qx_per_um, qy_per_um, c_per_um;
 };
 
+/// A line through qx = qy = 0: the plane of incidence at this azimuth. A unit vector.
+struct LineDirection {
+  double cos_azimuth, sin_azimuth;
+};
+
 /// Everything a request will ask, known before anything is computed; plans follow from it.
 struct QueryBounds {
   Query lo, hi;       ///< the box that all queries lie in
   std::size_t count;  ///< how many queries will come
   double tolerance;   ///< largest error allowed in the normalised amplitude
+  /// Where given, all queries lie on this line, to the rounding of k u and k v: methods may use it.
+  std::optional<LineDirection> line = std::nullopt;
 
   double max_abs_c_per_um() const { return std::max(std::abs(lo.c_per_um), std::abs(hi.c_per_um)); }
 };

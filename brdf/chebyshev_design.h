@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "brdf/chebyshev_line.h"
 #include "brdf/chebyshev_terms.h"
 #include "brdf/direct_sum.h"
 #include "brdf/fourier_axis.h"
@@ -19,7 +20,8 @@ namespace brdf {
 class ChebyshevDesign {
  public:
   ChebyshevDesign(const Surface& surface, const QueryBounds& bounds,
-                  const SeriesSettings& settings = {})
+                  const SeriesSettings& settings = {},
+                  double direct_pixel_s = portable_kernels.direct_pixel_s)
       : surface_(surface),
         bounds_(bounds),
         settings_(settings),
@@ -30,7 +32,9 @@ class ChebyshevDesign {
         terms_(c_half_per_um_ * surface.heights->half_range_um(), series_share * tolerance_) {
     const bool one_qx = bounds.lo.qx_per_um == bounds.hi.qx_per_um;
     const bool one_qy = bounds.lo.qy_per_um == bounds.hi.qy_per_um;
-    parts_.path = one_qx || one_qy ? SeriesPath::in_plane : SeriesPath::general;
+    // Folded weights along an oblique line do not exist for a periodic lattice.
+    parts_.projected = bounds.line && !one_qx && !one_qy && surface.model != SurfaceModel::periodic;
+    parts_.path = one_qx || one_qy || parts_.projected ? SeriesPath::in_plane : SeriesPath::general;
     // Modes save terms at every tap and cost degrees x terms / 16 products a query: worth while
     // where a query reads a square of taps.
     if (parts_.path == SeriesPath::general && terms_.degrees() <= TermTable<double>::max_degrees) {
@@ -40,7 +44,7 @@ class ChebyshevDesign {
         terms_ = std::move(modes);
     }
     parts_.terms = terms_.count();
-    inner_axis_ = one_qy ? 0 : 1;
+    inner_axis_ = one_qy || parts_.projected ? 0 : 1;
     choose_grid(parts_.path == SeriesPath::general ? general_oversampling : in_plane_oversampling);
     if (parts_.path == SeriesPath::general) {
       // A finer grid saves a tap in each direction; it pays where many queries come.
@@ -48,7 +52,9 @@ class ChebyshevDesign {
       choose_grid(general_oversampling_for_many);
       if (!(expected_s() < coarse.expected_s())) *this = coarse;
     }
-    const double direct_s = direct_sum_query_s(), count = static_cast<double>(bounds.count);
+    const double direct_s =
+                     direct_pixel_s * static_cast<double>(surface.heights->heights_um().size()),
+                 count = static_cast<double>(bounds.count);
     if (settings.small_requests == SmallRequests::by_direct_sum && count * direct_s < expected_s())
       use_direct_sum(direct_s);
   }
@@ -63,7 +69,8 @@ class ChebyshevDesign {
   double c_half_per_um() const { return c_half_per_um_; }
   const std::optional<FourierAxis>& outer() const { return outer_; }  ///< x of the general path
   const FourierAxis& inner() const { return *inner_; }
-  /// The axis that the inner transform runs along: 0 x, 1 y.
+  const std::optional<LineProjection>& line() const { return line_; }  ///< of a projected plane
+  /// The axis that the inner transform runs along: 0 x or an oblique line, 1 y.
   int inner_axis() const { return inner_axis_; }
 
   double error_bound() const {
@@ -81,6 +88,9 @@ class ChebyshevDesign {
                           2 -
                       axis.origin);
   }
+
+  /// Partial sums of a projection: never more than this many strips of rows.
+  static constexpr std::size_t line_strips = 32;
 
  private:
   // Shares of the tolerance. A term gains a factor 5 or more, so the series gets little; a tap
@@ -124,6 +134,11 @@ class ChebyshevDesign {
       outer_.emplace(make_axis(0, share / 2, oversampling));
       inner_.emplace(make_axis(1, share / 2, oversampling));
       parts_.axes[0] = part(*outer_);
+    } else if (parts_.projected) {
+      line_.emplace(surface_, bounds_, share / 3);
+      inner_.emplace(EvenSamples{line_->count(), line_->pitch_um()},
+                     FourierAxisRequest{line_->lo_per_um(), line_->hi_per_um(),
+                                        share * (2.0 / 3) / line_->amplification(), oversampling});
     } else {
       inner_.emplace(make_axis(inner_axis_, share, oversampling));
     }
@@ -143,13 +158,16 @@ class ChebyshevDesign {
   void set_errors() {
     const double inner = inner_->error_bound(), outer = outer_ ? outer_->error_bound() : 0;
     parts_.series_error = terms_.error_bound();
-    parts_.kernel_error = ((1 + inner) * (1 + outer) - 1) * (1 + terms_.error_bound());
-    const double amplification =
-        inner_->amplification() * (outer_ ? outer_->amplification() : 1) * terms_.norm();
+    const double line = line_ ? line_->error_bound() + inner * line_->amplification() : 0;
+    parts_.kernel_error =
+        (line_ ? line : (1 + inner) * (1 + outer) - 1) * (1 + terms_.error_bound());
+    const double amplification = inner_->amplification() * (outer_ ? outer_->amplification() : 1) *
+                                 (line_ ? line_->amplification() : 1) * terms_.norm();
     // Positions and phases are rounded to eps / 2 of themselves, in about three steps and weighted
     // by the mean distance from the centre, a fourth of the width or so; the recurrences add up.
     constexpr double eps = std::numeric_limits<double>::epsilon();
-    parts_.rounding_error = eps * (max_phase_rad() + 4 * terms_.count() + 4 * amplification);
+    parts_.rounding_error = eps * (max_phase_rad() + 4 * terms_.count() + 4 * amplification) +
+                            (line_ ? line_->offset_error() : 0);
     // Each entry is rounded once, by 2^-24 of itself; the sums are in double.
     const double single = std::ldexp(amplification, -24);
     const bool fits =
@@ -189,6 +207,8 @@ class ChebyshevDesign {
           axes[0].stored * static_cast<std::size_t>(axes_[1].count) * complex_bytes;
       transforms = static_cast<double>(axes_[1].count) * static_cast<double>(outer_->length()) +
                    static_cast<double>(outer_->stored() * inner_->length());
+    } else if (line_) {
+      parts_.peak_bytes += (line_strips + 1) * line_->count() * padded * complex_bytes;
     } else {
       parts_.peak_bytes += static_cast<std::size_t>(axes_[inner_axis_].count + PixelStrip::lanes) *
                            padded * 2 * complex_bytes;
@@ -198,13 +218,9 @@ class ChebyshevDesign {
     // product of the gather.
     parts_.plan_s =
         5e-4 + 1e-9 * (pixels * (2 + (outer_ ? 2.0 : 0.3) * terms) + 12 * terms * transforms);
+    if (line_) parts_.plan_s += 1e-9 * pixels * line_->kernel().width() * (12 + 0.4 * terms);
     parts_.query_s =
         1e-9 * (15 + 0.2 * static_cast<double>(padded) * axes[0].width * axes[1].width);
-  }
-
-  /// A pixel of the direct sum takes one sine and cosine.
-  double direct_sum_query_s() const {
-    return 15e-9 * static_cast<double>(surface_.heights->heights_um().size());
   }
 
   void use_direct_sum(double direct_s) {
@@ -225,6 +241,7 @@ class ChebyshevDesign {
   SeriesPlanParts parts_{};
   int inner_axis_ = 0;
   std::optional<FourierAxis> outer_, inner_;
+  std::optional<LineProjection> line_;
 };
 
 }  // namespace brdf

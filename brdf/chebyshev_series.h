@@ -25,16 +25,17 @@ class ChebyshevSeriesPlan {
         parts_(design.parts()),
         report_{design.error_bound(),
                 input_phase_error_rad(*design.surface().heights, design.bounds()), parts_.terms, 0,
-                parts_.table_bytes} {
+                parts_.table_bytes},
+        line_(parts_.projected ? design.line() : std::nullopt) {
     if (parts_.path == SeriesPath::direct_sum)
-      direct_.emplace(design.surface(), design.bounds());
+      direct_.emplace(design.surface(), design.bounds(), kernels.phases);
     else if (parts_.storage == TableStorage::single_precision)
       single_.emplace(design, kernels);
     else
       double_.emplace(design, kernels);
     for (int index : {0, 1}) {
       const SurfaceAxis& axis = design.axis(index);
-      const bool summed = parts_.axes[index].fft_length == 0;
+      const bool summed = parts_.axes[index].fft_length == 0 && !line_;
       copies_[index] = {summed ? 1 : 1 + axis.last_copy - axis.first_copy,
                         axis.pixel_um * static_cast<double>(axis.count)};
     }
@@ -52,9 +53,12 @@ class ChebyshevSeriesPlan {
         kernels_.gather_double(double_->view(), some.data(), some.size(), out.data());
     };
     if (parts_.path == SeriesPath::general)
-      in_tile_order(queries, amplitudes, bounds_, tile_grid(), gather);
+      in_tile_order(queries, amplitudes, single_ ? single_->tiles() : double_->tiles(), gather);
     else
       gather(queries, amplitudes);
+    if (line_)
+      for (std::size_t i = 0; i < queries.size(); ++i)
+        amplitudes[i] *= line_->correction(queries[i]);
     if (replicated_)
       for (std::size_t i = 0; i < queries.size(); ++i)
         amplitudes[i] *= array_factor(copies_[0], queries[i].qx_per_um) *
@@ -89,17 +93,16 @@ class ChebyshevSeriesPlan {
       throw Error(Errc::invalid_argument, "query (" + text(q.qx_per_um) + ", " + text(q.qy_per_um) +
                                               ", " + text(q.c_per_um) +
                                               ") rad/um lies outside the bounds of its plan");
-  }
-
-  TileGrid tile_grid() const {
-    const auto entries = [&](int index) { return static_cast<double>(parts_.axes[index].stored); };
-    return {entries(0), entries(1)};
+    if (line_ && !line_->contains(q))
+      throw Error(Errc::invalid_argument, "query (" + text(q.qx_per_um) + ", " + text(q.qy_per_um) +
+                                              ") rad/um lies off the line of its plan");
   }
 
   SeriesKernels kernels_;
   QueryBounds bounds_;
   SeriesPlanParts parts_;
   PlanReport report_;
+  std::optional<LineProjection> line_;
   std::optional<DirectSumPlan> direct_;
   std::optional<ChebyshevTable<float>> single_;
   std::optional<ChebyshevTable<double>> double_;
@@ -113,15 +116,16 @@ class ChebyshevSeriesPlan {
 ///
 /// The tolerance of the bounds, 1e-1 to 1e-14, fixes everything: R, the kernels between the points
 /// of the frequency grids (FourierAxis), and whether the table is kept in single precision. Queries
-/// in one plane of incidence along x or y are summed across it exactly and need 1-D transforms;
-/// only frequencies inside the bounds are kept; few queries go to the direct sum. Surface models:
-/// all. Error: at most `report().error_bound`, which is at most the tolerance unless rounding
-/// forbids it (about 2e-16 times the largest phase); measured in chebyshev_series.tests.cpp. Cost
-/// in the plane: a sine, a cosine and 3 R products per pixel, then width x R products per query;
-/// else R 2-D transforms, then width^2 x R products per query. Results depend on the query and the
-/// plan only, to the last bit, whatever the batch or threads. Errc::invalid_argument: a tolerance
-/// that is not > 0. Sources: Jacobi-Anger; Barnett, Magland, af Klinteberg (SIAM J. Sci. Comput.
-/// 41, 2019).
+/// in one plane of incidence need 1-D transforms: along x or y the pixels are summed across it
+/// exactly, along the `line` of the bounds they are projected on it (not periodic surfaces); only
+/// frequencies inside the bounds are kept; few queries go to the direct sum. Surface models: all.
+/// Error: at most `report().error_bound`, which is at most the tolerance unless rounding forbids it
+/// (about 2e-16 times the largest phase); measured in chebyshev_series.tests.cpp. Cost in the
+/// plane: a sine, a cosine and 3 R products per pixel, then width x R products per query; else R
+/// 2-D transforms, then width^2 x R products per query. Results depend on the query and the plan
+/// only, to the last bit, whatever the batch or threads. Errc::invalid_argument: a tolerance that
+/// is not > 0. Sources: Jacobi-Anger; Barnett, Magland, af Klinteberg (SIAM J. Sci. Comput. 41,
+/// 2019).
 class ChebyshevSeries {
  public:
   /// kernels: portable_kernels, or the vectorised ones of shedlight::kernels.
@@ -149,7 +153,7 @@ class ChebyshevSeries {
   ChebyshevDesign design(const Surface& surface, const QueryBounds& bounds) const {
     if (!(bounds.tolerance > 0))
       throw Error(Errc::invalid_argument, "tolerance " + text(bounds.tolerance) + " must be > 0");
-    return {surface, bounds, settings_};
+    return {surface, bounds, settings_, kernels_.direct_pixel_s};
   }
 
   SeriesKernels kernels_;

@@ -12,6 +12,8 @@
 
 #include "brdf/chebyshev_columns.h"
 #include "brdf/chebyshev_design.h"
+#include "brdf/chebyshev_projection.h"
+#include "brdf/query_order.h"
 #include "brdf/term_table.h"
 
 namespace brdf {
@@ -66,7 +68,12 @@ class ChebyshevTable {
     if (design.outer()) outer_kernel_ = design.outer()->kernel();
     view_.inner = axis_view(design.inner(), inner_kernel_, design.inner_axis());
     view_.outer = design.outer() ? axis_view(*design.outer(), outer_kernel_, 0)
-                                 : TableAxis{0, 0, 0, 1, 1, 0, 1, 0, nullptr};
+                                 : TableAxis{0, 0, 0, 1, 1, 0, 1, 0, nullptr, 1, 1};
+    if (design.line()) {
+      view_.inner.grid_per_qy_um =
+          view_.inner.grid_per_qx_um * design.line()->direction().sin_azimuth;
+      view_.inner.grid_per_qx_um *= design.line()->direction().cos_azimuth;
+    }
     view_.terms = design.terms().count();
     view_.degrees = design.terms().degrees();
     view_.even_terms = design.terms().even_count();
@@ -79,7 +86,8 @@ class ChebyshevTable {
     view_.per_c_um = design.c_half_per_um() > 0 ? 1 / design.c_half_per_um() : 0;
     view_.phase_per_c_um = surface.heights->mid_range_um();
     const auto phase = [&](int index) {
-      return design.parts().axes[index].fft_length == 0 ? 0.0 : design.centre_um(index);
+      const bool summed = design.parts().axes[index].fft_length == 0 && !design.line();
+      return summed ? 0.0 : design.centre_um(index);
     };
     view_.phase_per_qx_um = phase(0);
     view_.phase_per_qy_um = phase(1);
@@ -91,6 +99,16 @@ class ChebyshevTable {
       fill_general(design);
     else
       fill_in_plane(design, kernels);
+  }
+
+  /// Of a general table.
+  TileGrid tiles() const {
+    const auto axis = [](const TableAxis& a, double grid_per_q_um) {
+      return TileGrid::Axis{grid_per_q_um, static_cast<double>(a.first),
+                            static_cast<double>(a.period), static_cast<double>(a.count)};
+    };
+    return {axis(view_.outer, view_.outer.grid_per_qx_um),
+            axis(view_.inner, view_.inner.grid_per_qy_um)};
   }
 
   /// Refers to this object.
@@ -121,7 +139,9 @@ class ChebyshevTable {
             kernel.degree(),
             kernel.pieces(),
             kernel.tap_stride(),
-            nullptr};
+            nullptr,
+            static_cast<long>(axis.length()),
+            axis.turn_sign()};
   }
 
   Real* entry(std::size_t outer, std::size_t inner) {
@@ -145,7 +165,8 @@ class ChebyshevTable {
   }
 
   void fill_in_plane(const ChebyshevDesign& design, const SeriesKernels& kernels) {
-    const ChebyshevColumns columns = contracted_columns(design, kernels);
+    const ChebyshevColumns columns =
+        design.line() ? projected_columns(design, kernels) : contracted_columns(design, kernels);
     FourierPool pool(design.inner().length());
     spread(design, pool, static_cast<std::size_t>(view_.terms), terms_of_task(design),
            [&](ComplexFourier1d& fourier, std::size_t term) {

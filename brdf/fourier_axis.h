@@ -11,6 +11,7 @@
 #include "brdf/fourier.h"
 #include "brdf/interpolation_kernel.h"
 #include "brdf/surface.h"
+#include "brdf/window_cut.h"
 
 namespace brdf {
 
@@ -19,6 +20,12 @@ struct FourierAxisRequest {
   double lo_per_um, hi_per_um;  ///< frequencies that will be asked
   double tolerance;             ///< of the amplitude, from this axis
   double oversampling;          ///< wanted ratio of grid length to samples, > 1
+};
+
+/// Even samples about x = 0 of any origin, each of modulus at most its share of 1.
+struct EvenSamples {
+  std::size_t count;
+  double pitch_um;
 };
 
 /// Transform of samples along one axis: a grid of frequencies and the kernel between its points.
@@ -40,10 +47,24 @@ class FourierAxis {
     else
       set_samples(surface, axis, request, 0, axis.count - 1,
                   axis.pixel_um * (static_cast<double>(axis.count - 1) / 2));
-    const double scale = grid_per_frequency_um();
-    const double half_width = kernel_.width() / 2.0;
-    first_ = static_cast<long>(std::ceil(request.lo_per_um * scale - half_width)) - 1;
-    last_ = static_cast<long>(std::ceil(request.hi_per_um * scale - half_width)) + kernel_.width();
+    set_stored(request);
+  }
+
+  /// For samples that are given whole, window and all; prepared.
+  FourierAxis(const EvenSamples& samples, const FourierAxisRequest& request)
+      : pixels_(samples.count) {
+    set_grid(samples.pitch_um, 0, static_cast<long>(samples.count) - 1, request.oversampling);
+    centre_half_samples_ = static_cast<long>(samples.count) - 1;
+    choose_kernel(request.tolerance, [&] {
+      const std::vector<double> errors = kernel_.relative_errors(mesh_omegas());
+      return *std::max_element(errors.begin(), errors.end());
+    });
+    set_stored(request);
+    set_phases();
+    weights_ = sample_transforms();
+    for (double& weight : weights_) weight = 1 / weight;
+    amplification_ = *std::max_element(weights_.begin(), weights_.end()) *
+                     kernel_.transform({0.0})[0] * (1 + error_bound_);
   }
 
   const InterpolationKernel& kernel() const { return kernel_; }
@@ -55,6 +76,8 @@ class FourierAxis {
   }
   std::size_t length() const { return length_; }  ///< of the FFT
   long first() const { return first_; }           ///< first stored grid point
+  /// F_{k + length} / F_k: at most one period is stored.
+  double turn_sign() const { return centre_half_samples_ % 2 == 0 ? 1 : -1; }
   std::size_t stored() const { return static_cast<std::size_t>(last_ - first_ + 1); }
   /// Grid points per rad/um.
   double grid_per_frequency_um() const {
@@ -64,11 +87,6 @@ class FourierAxis {
   /// Prepares the weights; to be called once before `transform`.
   void prepare(const Surface& surface, const SurfaceAxis& axis) {
     set_phases();
-    std::vector<double> omegas;
-    // The kernel is even: samples that lie symmetrically share their transform.
-    const bool symmetric = centre_half_samples_ == static_cast<long>(samples_) - 1;
-    for (std::size_t n = 0; n < (symmetric ? (samples_ + 1) / 2 : samples_); ++n)
-      omegas.push_back(omega(n));
     weights_.assign(samples_, 1 / static_cast<double>(pixels_));
     if (gaussian_) {
       for (double x = 0; x < 1; x += 1.0 / 64) {
@@ -77,7 +95,7 @@ class FourierAxis {
       }
       return;
     }
-    const std::vector<double> transforms = kernel_.transform(omegas);
+    const std::vector<double> transforms = sample_transforms();
     double sum = 0;
     for (std::size_t n = 0; n < samples_; ++n) {
       weights_[n] = sample_weight(surface, axis, n);
@@ -85,7 +103,7 @@ class FourierAxis {
     }
     double largest = 0;
     for (std::size_t n = 0; n < samples_; ++n) {
-      weights_[n] /= sum * transforms[n < transforms.size() ? n : samples_ - 1 - n];
+      weights_[n] /= sum * transforms[n];
       largest += weights_[n];
     }
     amplification_ = largest * kernel_.transform({0.0})[0] * (1 + error_bound_);
@@ -103,6 +121,27 @@ class FourierAxis {
   }
 
  private:
+  void set_stored(const FourierAxisRequest& request) {
+    const double scale = grid_per_frequency_um();
+    const double half_width = kernel_.width() / 2.0;
+    first_ = static_cast<long>(std::ceil(request.lo_per_um * scale - half_width)) - 1;
+    last_ = static_cast<long>(std::ceil(request.hi_per_um * scale - half_width)) + kernel_.width();
+    last_ = std::min(last_, first_ + static_cast<long>(length_) + kernel_.width() - 2);
+  }
+
+  /// The kernel's transform at every sample.
+  std::vector<double> sample_transforms() const {
+    // The kernel is even: samples that lie symmetrically share their transform.
+    const bool symmetric = centre_half_samples_ == static_cast<long>(samples_) - 1;
+    std::vector<double> omegas;
+    for (std::size_t n = 0; n < (symmetric ? (samples_ + 1) / 2 : samples_); ++n)
+      omegas.push_back(omega(n));
+    std::vector<double> transforms = kernel_.transform(omegas);
+    for (std::size_t n = transforms.size(); n < samples_; ++n)
+      transforms.push_back(transforms[samples_ - 1 - n]);
+    return transforms;
+  }
+
   std::size_t bin(long k) const {
     const long length = static_cast<long>(length_);
     return static_cast<std::size_t>(((k % length) + length) % length);
@@ -149,19 +188,16 @@ class FourierAxis {
     int width = 2;
     while (width < InterpolationKernel::max_width && !(omitted(width) <= request.tolerance))
       ++width;
-    // Window mass beyond r sigma: erfc(r / sqrt 2).
-    double reach = 1;
-    while (std::erfc(reach / std::sqrt(2.0)) > request.tolerance / 4 && reach < 9) reach += 0.125;
-    const double middle = axis.origin;
-    const double samples = reach * surface.window.sigma_um() / axis.pixel_um;
+    const WindowCut cut = cut_window(surface, axis, request.tolerance / 8);
+    const double middle = axis.origin, samples = cut.samples;
     const bool narrow_window =
         2 * samples * request.oversampling <= 3 * static_cast<double>(axis.count);
     if (omitted(width) <= request.tolerance && (width <= 10 || !narrow_window)) {
-      double aliases = 0;
-      for (int alias = -4; alias <= 4; ++alias)
-        aliases += surface.window.spectral(alias / axis.pixel_um);
-      kernel_ = InterpolationKernel::gaussian(width, sigma_bins, 1 / aliases);
-      error_bound_ = omitted(width) + 1e-15 * width;
+      // Sum of the window over its integral: 1 unless it is about as narrow as a pixel.
+      const double sum_per_integral = window_sums(surface, axis).g * axis.pixel_um /
+                                      (surface.window.sigma_um() * std::sqrt(2 * pi));
+      kernel_ = InterpolationKernel::gaussian(width, sigma_bins, 1 / sum_per_integral);
+      error_bound_ = omitted(width) / sum_per_integral + 1e-15 * width;
       gaussian_ = true;
       pixel_um_ = axis.pixel_um;
       samples_ = length_ = pixels_;
@@ -173,34 +209,50 @@ class FourierAxis {
     FourierAxisRequest rest = request;
     rest.tolerance *= 0.75;
     set_samples(surface, axis, rest, first, last, axis.pixel_um * middle);
-    error_bound_ += 2 * std::erfc(reach / std::sqrt(2.0));
+    error_bound_ += 2 * cut.share;
   }
 
   /// Samples `first` to `last` about centre_um (from pixel 0), with the narrowest good kernel.
   void set_samples(const Surface& surface, const SurfaceAxis& axis,
                    const FourierAxisRequest& request, long first, long last, double centre_um) {
-    pixel_um_ = axis.pixel_um;
-    first_sample_ = first;
-    samples_ = static_cast<std::size_t>(last - first + 1);
+    set_grid(axis.pixel_um, first, last, request.oversampling);
     centre_half_samples_ = std::lround(2 * centre_um / axis.pixel_um) - 2 * first;
     tile_origin_ = surface.model == SurfaceModel::replicated ? 0 : axis.origin;
-    length_ = fast_fourier_length(static_cast<std::size_t>(
-        std::ceil(request.oversampling * static_cast<double>(samples_) + 1)));
+    choose_kernel(request.tolerance, [&] { return mean_error(surface, axis); });
+  }
+
+  void set_grid(double pixel_um, long first, long last, double oversampling) {
+    pixel_um_ = pixel_um;
+    first_sample_ = first;
+    samples_ = static_cast<std::size_t>(last - first + 1);
+    length_ = fast_fourier_length(
+        static_cast<std::size_t>(std::ceil(oversampling * static_cast<double>(samples_) + 1)));
+  }
+
+  template <class Error>
+  void choose_kernel(double tolerance, Error error) {
     const double rate = pi * std::sqrt(1 - 1 / oversampling());
-    int width = std::max(2, static_cast<int>(-std::log(request.tolerance) / rate) - 1);
+    int width = std::max(2, static_cast<int>(-std::log(tolerance) / rate) - 1);
     do {
       kernel_ = InterpolationKernel::semicircle(width, oversampling());
-      error_bound_ = mean_error(surface, axis);
-    } while (!(error_bound_ <= request.tolerance) && ++width <= 17);  // rounding from there on
+      error_bound_ = error();
+    } while (!(error_bound_ <= tolerance) && ++width <= 17);  // rounding from there on
+  }
+
+  static constexpr int mesh = 24;
+
+  /// From the centre to the farthest sample.
+  std::vector<double> mesh_omegas() const {
+    const double edge = std::max({std::abs(omega(0)), std::abs(omega(samples_ - 1)), 1e-300});
+    std::vector<double> omegas;
+    for (int m = 0; m <= mesh; ++m) omegas.push_back(edge * m / mesh);
+    return omegas;
   }
 
   /// sum_n w_n e(omega_n), e the larger of those at the mesh points on both sides.
   double mean_error(const Surface& surface, const SurfaceAxis& axis) const {
-    constexpr int mesh = 24;
-    const double edge = std::max({std::abs(omega(0)), std::abs(omega(samples_ - 1)), 1e-300});
-    std::vector<double> omegas;
-    for (int m = 0; m <= mesh; ++m) omegas.push_back(edge * m / mesh);
-    const std::vector<double> errors = kernel_.relative_errors(omegas);
+    const std::vector<double> omegas = mesh_omegas(), errors = kernel_.relative_errors(omegas);
+    const double edge = omegas.back();
     double sum = 0, total = 0;
     for (std::size_t n = 0; n < samples_; ++n) {
       const double weight = sample_weight(surface, axis, n);

@@ -13,36 +13,56 @@
 
 namespace brdf {
 
-/// Grid points of a table along x and y.
+/// Where queries read a table along x and y, in grid points.
 struct TileGrid {
-  double x, y;
+  struct Axis {
+    double grid_per_q_um, first, period, count;
+  };
+  Axis x, y;
+};
+
+/// Tiles along one axis.
+class TileAxis {
+ public:
+  TileAxis(const TileGrid::Axis& axis, double points_per_tile)
+      : scale_um_(axis.grid_per_q_um / points_per_tile),
+        first_(axis.first / points_per_tile),
+        period_(axis.period / points_per_tile),
+        per_period_(points_per_tile / axis.period),
+        count_(static_cast<long>(axis.count / points_per_tile) + 1) {}
+
+  std::size_t count() const { return static_cast<std::size_t>(count_); }
+
+  /// Rounding may pick a neighbour at an edge; only the order depends on it.
+  std::size_t tile(double q_per_um) const {
+    const double local = q_per_um * scale_um_ - first_;
+    const double turns = static_cast<double>(static_cast<long>(local * per_period_));
+    return static_cast<std::size_t>(
+        std::clamp(static_cast<long>(local - turns * period_), 0L, count_ - 1));
+  }
+
+ private:
+  double scale_um_, first_, period_, per_period_;
+  long count_;
 };
 
 /// Calls gather(queries, amplitudes) for all queries, batch by batch, sorted by tiles of the table;
 /// the amplitudes come out in the order of the queries. Few queries are passed on as they are.
 template <class Gather>
 void in_tile_order(std::span<const Query> queries, std::span<std::complex<double>> amplitudes,
-                   const QueryBounds& bounds, const TileGrid& grid, Gather gather) {
+                   const TileGrid& grid, Gather gather) {
   // A tile and its margin fit the first-level cache; fewer queries than this touch each tile once.
   constexpr double tile = 8;
   constexpr std::size_t smallest = 4096, batch = 512;
-  // Queries and amplitudes of one slice stay in the caches while they are moved about.
-  constexpr std::size_t slice = 1 << 17;
+  // Each slice reads the whole table once more: long ones save memory traffic, at 8 bytes a query.
+  constexpr std::size_t slice = std::size_t{1} << 20;
   if (queries.size() < smallest) return gather(queries, amplitudes);
-  const auto across = [](double points) { return static_cast<std::size_t>(points / tile) + 1; };
-  const std::size_t tiles_x = across(grid.x), tiles_y = across(grid.y);
-  const auto per_q = [](std::size_t tiles, double lo, double hi) {
-    return hi > lo ? static_cast<double>(tiles) * (1 - 1e-9) / (hi - lo) : 0.0;
-  };
-  const double per_qx = per_q(tiles_x, bounds.lo.qx_per_um, bounds.hi.qx_per_um);
-  const double per_qy = per_q(tiles_y, bounds.lo.qy_per_um, bounds.hi.qy_per_um);
+  const TileAxis x(grid.x, tile), y(grid.y, tile);
   const auto tile_of = [&](const Query& q) {
-    const auto x = static_cast<std::size_t>((q.qx_per_um - bounds.lo.qx_per_um) * per_qx);
-    const auto y = static_cast<std::size_t>((q.qy_per_um - bounds.lo.qy_per_um) * per_qy);
-    return static_cast<std::uint32_t>(x * tiles_y + y);
+    return static_cast<std::uint32_t>(x.tile(q.qx_per_um) * y.count() + y.tile(q.qy_per_um));
   };
   const std::size_t longest = std::min(slice, queries.size());
-  std::vector<std::uint32_t> start(tiles_x * tiles_y + 1), tiles(longest), order(longest);
+  std::vector<std::uint32_t> start(x.count() * y.count() + 1), tiles(longest), order(longest);
   std::vector<Query> sorted(batch);
   std::vector<std::complex<double>> results(batch);
   for (std::size_t origin = 0; origin < queries.size(); origin += slice) {

@@ -27,6 +27,7 @@ struct SeriesPlanParts {
   TableStorage storage;
   int terms;
   Axis axes[2];
+  bool projected = false;               ///< in_plane off the axes: pixels projected on a line
   std::size_t table_bytes, peak_bytes;  ///< kept; most held while planning
   double series_error, kernel_error, storage_error, rounding_error;  ///< sum: the error bound
   double plan_s, query_s;  ///< expected, one thread of about 3 GHz with vectorised kernels
@@ -51,7 +52,7 @@ struct SeriesSettings {
   SmallRequests small_requests = SmallRequests::by_direct_sum;
   /// Larger tables are kept in single precision where the tolerance allows it. Sums are in double
   /// either way, and doubles are read faster than floats are converted, until memory counts.
-  std::size_t double_table_bytes = std::size_t{64} << 20;
+  std::size_t double_table_bytes = std::size_t{256} << 20;
   Executor executor = run_serially;  ///< spreads the work of making a plan over threads
 };
 

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "brdf/amplitude.h"
 #include "brdf/interpolation_kernel.h"
+#include "brdf/phase_sum.h"
 
 namespace brdf {
 
@@ -20,6 +22,8 @@ struct TableAxis {
   int width;                              ///< of the kernel; 1: a single entry of weight 1
   int degree, pieces, tap_stride;         ///< see InterpolationKernel
   const double* coefficients;
+  long period;       ///< grid points after which the entries repeat
+  double turn_sign;  ///< times this: 1 or -1
 };
 
 /// Terms F_r at the grid points: entries[outer][inner][r] as (re, im), r < terms, rows filled up to
@@ -56,17 +60,21 @@ struct PixelStrip {
 };
 
 /// The loops that take the time. `contract` sets sums[m][re, im][lane] = sum_j w_j e^{i phase s}
-/// T_m(s) for m < terms. All are pure functions of their arguments: an amplitude depends on its
-/// query and the table only.
+/// T_m(s) for m < terms; `phases` are those of the direct sum of small requests. All are pure
+/// functions of their arguments: an amplitude depends on its query and the table only.
 struct SeriesKernels {
   void (*gather_float)(const TermTable<float>&, const Query*, std::size_t, std::complex<double>*);
   void (*gather_double)(const TermTable<double>&, const Query*, std::size_t, std::complex<double>*);
   void (*contract)(const PixelStrip&, int terms, double* sums);
+  PhaseKernels phases;
+  double direct_pixel_s;  ///< expected time of the direct sum per pixel and query
 };
 
 namespace detail {
 
 /// Weights of one query along one axis and the first entry that they belong to.
+///
+/// Whole periods are taken off the grid point, a sign per period goes to the weights.
 inline std::size_t axis_taps(const TableAxis& axis, const Query& q, std::vector<double>& taps) {
   if (axis.width == 1) {
     taps[0] = 1;
@@ -86,7 +94,11 @@ inline std::size_t axis_taps(const TableAxis& axis, const Query& q, std::vector<
       weight = weight * t + coefficients[power * axis.tap_stride + tap];
     }
   const double last = static_cast<double>(axis.count - axis.width);
-  return static_cast<std::size_t>(std::clamp(k0 - static_cast<double>(axis.first), 0.0, last));
+  const double period = static_cast<double>(axis.period);
+  const double local = k0 - static_cast<double>(axis.first), turns = std::floor(local / period);
+  if (axis.turn_sign < 0 && std::fmod(turns, 2) != 0)
+    for (double& weight : taps) weight = -weight;
+  return static_cast<std::size_t>(std::clamp(local - turns * period, 0.0, last));
 }
 
 }  // namespace detail
@@ -163,6 +175,6 @@ inline void portable_contract(const PixelStrip& strip, int terms, double* sums) 
 
 /// Plain C++, on any machine; shedlight::kernels has the vectorised ones, the same to 1e-13.
 inline constexpr SeriesKernels portable_kernels{portable_gather<float>, portable_gather<double>,
-                                                portable_contract};
+                                                portable_contract, portable_phase_kernels, 15e-9};
 
 }  // namespace brdf

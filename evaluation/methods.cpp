@@ -8,10 +8,12 @@
 #include "brdf/taylor_series.h"
 #include "evaluation/kernels/phase_sum.h"
 #include "evaluation/kernels/series_kernels.h"
+#include "evaluation/parallel.h"
 
 namespace evaluation {
 namespace {
 
+using brdf::SmallRequests;
 using brdf::SurfaceModel;
 
 constexpr std::array models{SurfaceModel::isolated, SurfaceModel::periodic,
@@ -87,6 +89,16 @@ Json explained(const brdf::TaylorSeries& method, const brdf::Surface& surface,
           {"window_radius_sigma_f", method.radius(surface, bounds)}};
 }
 
+brdf::ChebyshevSeries chebyshev(const MethodSettings& settings, SmallRequests small_requests) {
+  brdf::SeriesSettings series;
+  series.small_requests = small_requests;
+  series.executor = [threads = settings.threads](std::size_t count,
+                                                 const std::function<void(std::size_t)>& task) {
+    parallel_for(count, threads, task);
+  };
+  return brdf::ChebyshevSeries(vectorised_kernels(), series);
+}
+
 /// make: MethodSettings -> an AmplitudeMethod.
 template <class Make>
 Method row(std::string_view name, bool is_taylor, Make make) {
@@ -121,11 +133,9 @@ std::span<const Method> methods() {
       row("direct", false,
           [](const MethodSettings&) { return brdf::DirectSum(vectorised_phase_kernels()); }),
       row("auto", false,
-          [](const MethodSettings&) { return brdf::ChebyshevSeries(vectorised_kernels()); }),
+          [](const MethodSettings& s) { return chebyshev(s, SmallRequests::by_direct_sum); }),
       row("chebyshev", false,
-          [](const MethodSettings&) {
-            return brdf::ChebyshevSeries(vectorised_kernels(), {brdf::SmallRequests::by_series});
-          }),
+          [](const MethodSettings& s) { return chebyshev(s, SmallRequests::by_series); }),
       row("taylor", true,
           [](const MethodSettings& s) {
             return brdf::TaylorSeries({s.terms, s.radius_sigma_f});

@@ -28,6 +28,7 @@ class Amplitude {
 struct MethodSettings {
   std::optional<int> terms;
   std::optional<double> radius_sigma_f;
+  int threads = 1;  ///< that make a plan; the plan is the same, to the last bit, for any number
 };
 
 /// One row of the table.

@@ -115,7 +115,8 @@ std::vector<Peak> find_peaks(const ResponseMatrix& response, const PlaneOfIncide
       if (!top || response.values(row, column) > response.values(row, *top)) top = column;
     }
     if (top && *top > *first && *top < *last &&
-        response.values(row, *top) > response.values(row, *last)) {
+        response.values(row, *top) > response.values(row, *last) &&
+        response.values(row, *top) > search.floor) {
       const auto column = static_cast<std::size_t>(*top);
       peak.value = response.values(row, *top);
       peak.grid_theta_r_deg = theta[column];
@@ -139,14 +140,18 @@ std::string to_csv(const std::vector<Peak>& peaks, const PlaneOfIncidence& plane
                    const ResponseMatrix& response) {
   std::string csv = "lambda_nm,order,theta_peak_deg,value,period_nm\n";
   for (const Peak& peak : peaks) {
-    csv += number_text(peak.lambda_nm, response.lambda_nm.decimals) + "," + std::to_string(order);
-    if (!peak.theta_r_deg) {
-      csv += ",,,\n";
-      continue;
+    csv.append(number_text(peak.lambda_nm, response.lambda_nm.decimals)).append(",");
+    csv.append(std::to_string(order)).append(",");
+    if (peak.theta_r_deg) {
+      const std::optional<double> period =
+          period_nm(plane, order, peak.lambda_nm, *peak.theta_r_deg);
+      csv.append(number_text(*peak.theta_r_deg)).append(",");
+      csv.append(number_text(peak.value)).append(",");
+      if (period) csv.append(number_text(*period));
+    } else {
+      csv.append(",,");
     }
-    const std::optional<double> period = period_nm(plane, order, peak.lambda_nm, *peak.theta_r_deg);
-    csv += "," + number_text(*peak.theta_r_deg) + "," + number_text(peak.value) + "," +
-           (period ? number_text(*period) : "") + "\n";
+    csv.append("\n");
   }
   return csv;
 }

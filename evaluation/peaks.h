@@ -41,6 +41,7 @@ struct PeakSearch {
   std::optional<std::pair<brdf::Length, brdf::Length>> period_range;  ///< only these periods
   std::optional<std::pair<double, double>> theta_r_deg;               ///< only these angles
   Refinement refinement = Refinement::parabola;
+  double floor = 0;  ///< a maximum must be above it: what the error of the response could make
 };
 
 /// One wavelength. `theta_r_deg` is empty where the window holds no maximum in its inside.

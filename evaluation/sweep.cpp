@@ -32,6 +32,18 @@ double gain(const SweepRequest& request, std::size_t row, std::size_t column, do
   return 1;
 }
 
+/// The line that all queries lie on where the viewer moves in the plane of incidence.
+std::optional<brdf::LineDirection> plane_of_queries(const SweepRequest& request) {
+  // Azimuths that mean the same plane differ by their own rounding only; more would take the
+  // queries off the line by more than theirs.
+  constexpr double rounding_deg = 1e-12;
+  const double apart_deg = std::remainder(request.phi_r.deg() - request.phi_i.deg(), 180.0);
+  if (!(std::abs(apart_deg) <= rounding_deg) && request.theta_i.rad() != 0) return std::nullopt;
+  const brdf::Direction along = brdf::direction(brdf::Angle::deg(45), request.phi_r);
+  const double length = std::hypot(along.x(), along.y());
+  return brdf::LineDirection{along.x() / length, along.y() / length};
+}
+
 }  // namespace
 
 void require_valid(const SweepRequest& request) {
@@ -65,6 +77,7 @@ brdf::QueryBounds bounds_of(const SweepRequest& request, double tolerance) {
   extremes.insert(extremes.end(), last.begin(), last.end());
   brdf::QueryBounds bounds = brdf::bounds_of(extremes, tolerance);
   bounds.count = request.cells();
+  bounds.line = plane_of_queries(request);
   return bounds;
 }
 

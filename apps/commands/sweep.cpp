@@ -137,6 +137,7 @@ Json audited(const evaluation::SweepRequest& request, const brdf::Surface& surfa
 void run(SweepOptions options) {
   const auto start = std::chrono::steady_clock::now();
   options.resolve();
+  options.settings.threads = options.threads;
   const evaluation::Method& method = evaluation::method_named(*options.method);
   const evaluation::SweepRequest request = options.request();
   std::optional<evaluation::OutputWithSidecar> output;

@@ -9,6 +9,9 @@
 #include <hwy/foreach_target.h>  // compiles this file once per instruction set
 #include <hwy/highway.h>
 
+#include "evaluation/kernels/phase_sum.h"
+#include "evaluation/kernels/sine_cosine-inl.h"
+
 // Only plain arrays and Highway inside: a template of the standard library would be instantiated
 // with the instruction set of one target and linked into all of them.
 HWY_BEFORE_NAMESPACE();
@@ -29,47 +32,16 @@ constexpr hn::RebindToSigned<D> di;
 constexpr int lanes = static_cast<int>(hn::MaxLanes(D()));
 // Four running sums hide the latency of a product and leave registers for the rest.
 constexpr int group = 4;
+constexpr double max_phase_rad = 1e5;  // the reach of sine_cosine
 
 struct SineCosine {
   Vec sine, cosine;
 };
 
-/// Sine and cosine to 1e-16, for abs(x) <= 1e6.
-HWY_INLINE SineCosine sine_cosine(Vec x) {
-  // Adding 1.5 * 2^52 rounds to a whole number and leaves it in the low bits.
-  const Vec magic = hn::Set(d, 6755399441055744.0);
-  const Vec shifted = hn::Add(hn::Mul(x, hn::Set(d, 0.63661977236758134308)), magic);
-  const Vec n = hn::Sub(shifted, magic);
-  const auto quadrant = hn::BitCast(di, shifted);
-  // pi / 2 in parts of 33 bits, so that n times a part is exact.
-  Vec r = hn::NegMulAdd(n, hn::Set(d, 1.57079632673412561417e+00), x);
-  r = hn::NegMulAdd(n, hn::Set(d, 6.07710050630396597660e-11), r);
-  r = hn::NegMulAdd(n, hn::Set(d, 2.02226624879595063154e-21), r);
-  const Vec r2 = hn::Mul(r, r);
-  // Taylor: at pi / 4 the first term left out is 5e-17 (sine) and 2e-18 (cosine).
-  Vec s = hn::Set(d, -1.0 / 1307674368000);
-  s = hn::MulAdd(s, r2, hn::Set(d, 1.0 / 6227020800));
-  s = hn::MulAdd(s, r2, hn::Set(d, -1.0 / 39916800));
-  s = hn::MulAdd(s, r2, hn::Set(d, 1.0 / 362880));
-  s = hn::MulAdd(s, r2, hn::Set(d, -1.0 / 5040));
-  s = hn::MulAdd(s, r2, hn::Set(d, 1.0 / 120));
-  s = hn::MulAdd(s, r2, hn::Set(d, -1.0 / 6));
-  s = hn::MulAdd(hn::Mul(s, r2), r, r);
-  Vec c = hn::Set(d, 1.0 / 20922789888000);
-  c = hn::MulAdd(c, r2, hn::Set(d, -1.0 / 87178291200));
-  c = hn::MulAdd(c, r2, hn::Set(d, 1.0 / 479001600));
-  c = hn::MulAdd(c, r2, hn::Set(d, -1.0 / 3628800));
-  c = hn::MulAdd(c, r2, hn::Set(d, 1.0 / 40320));
-  c = hn::MulAdd(c, r2, hn::Set(d, -1.0 / 720));
-  c = hn::MulAdd(c, r2, hn::Set(d, 1.0 / 24));
-  c = hn::MulAdd(c, r2, hn::Set(d, -0.5));
-  c = hn::MulAdd(c, r2, hn::Set(d, 1.0));
-  const auto one = hn::Set(di, 1), two = hn::Set(di, 2);
-  const auto swap = hn::RebindMask(d, hn::TestBit(quadrant, one));
-  const auto sine_sign = hn::ShiftLeft<62>(hn::And(quadrant, two));
-  const auto cosine_sign = hn::ShiftLeft<62>(hn::And(hn::Add(quadrant, one), two));
-  return {hn::Xor(hn::IfThenElse(swap, c, s), hn::BitCast(d, sine_sign)),
-          hn::Xor(hn::IfThenElse(swap, s, c), hn::BitCast(d, cosine_sign))};
+HWY_INLINE SineCosine turned(Vec phase) {
+  SineCosine turn;
+  sine_cosine(d, phase, turn.sine, turn.cosine);
+  return turn;
 }
 
 HWY_INLINE Vec load(const double* from) {
@@ -83,6 +55,7 @@ HWY_INLINE Vec load(const float* from) {
 struct AxisBlock {
   HWY_ALIGN double taps[block][brdf::InterpolationKernel::max_width];
   HWY_ALIGN double first[block];
+  HWY_ALIGN double sign[block];  // of the weights
 };
 
 HWY_INLINE void prepare(const TableAxis& axis, const double* qx, const double* qy, AxisBlock& out) {
@@ -90,6 +63,7 @@ HWY_INLINE void prepare(const TableAxis& axis, const double* qx, const double* q
     for (int q = 0; q < block; ++q) {
       out.taps[q][0] = 1;
       out.first[q] = 0;
+      out.sign[q] = 1;
     }
     return;
   }
@@ -107,9 +81,16 @@ HWY_INLINE void prepare(const TableAxis& axis, const double* qx, const double* q
     hn::Store(hn::Sub(hn::Add(fraction, fraction), hn::Set(d, 1.0)), d, t + q);
     hn::Store(whole, d, piece + q);
     const Vec local = hn::Sub(k0, hn::Set(d, static_cast<double>(axis.first)));
-    hn::Store(hn::Min(hn::Max(local, hn::Zero(d)),
+    const Vec period = hn::Set(d, static_cast<double>(axis.period));
+    const Vec turns = hn::Floor(hn::Div(local, period));
+    const Vec wrapped = hn::Sub(local, hn::Mul(turns, period));
+    hn::Store(hn::Min(hn::Max(wrapped, hn::Zero(d)),
                       hn::Set(d, static_cast<double>(axis.count - axis.width))),
               d, out.first + q);
+    const Vec half = hn::Mul(turns, hn::Set(d, 0.5));
+    hn::Store(
+        hn::IfThenElse(hn::Eq(half, hn::Floor(half)), hn::Set(d, 1.0), hn::Set(d, axis.turn_sign)),
+        d, out.sign + q);
   }
   for (int q = 0; q < block; ++q) {
     const double* coefficients =
@@ -228,12 +209,12 @@ HWY_INLINE void gather_block(const TermTable<Real>& table, const Query* queries,
     phase[g] = hn::Add(hn::Add(hn::Mul(hn::Set(d, table.phase_per_c_um), c),
                                hn::Mul(hn::Set(d, table.phase_per_qx_um), x)),
                        hn::Mul(hn::Set(d, table.phase_per_qy_um), y));
-    far = far || !hn::AllTrue(d, hn::Le(hn::Abs(phase[g]), hn::Set(d, 1e6)));
+    far = far || !hn::AllTrue(d, hn::Le(hn::Abs(phase[g]), hn::Set(d, max_phase_rad)));
   }
   AxisBlock outer, inner;
   prepare(table.outer, qx, qy, outer);
   prepare(table.inner, qx, qy, inner);
-  const auto row = static_cast<std::size_t>(2 * table.padded_terms());
+  const auto row = static_cast<std::size_t>(2 * ((table.terms + 3) / 4 * 4));
   const int vectors = static_cast<int>(row) / lanes, terms_per_group = group * lanes / 2;
   // [four terms][query][term], and what a load of whole vectors reads past it.
   constexpr int size = group * lanes / 2 * block;
@@ -267,7 +248,7 @@ HWY_INLINE void gather_block(const TermTable<Real>& table, const Query* queries,
     }
   }
   for (int q = 0, g = 0; q < block; q += lanes, ++g) {
-    SineCosine turn = sine_cosine(phase[g]);
+    SineCosine turn = turned(phase[g]);
     if (far) {
       HWY_ALIGN double angle[lanes], sine[lanes], cosine[lanes];
       hn::Store(phase[g], d, angle);
@@ -277,7 +258,8 @@ HWY_INLINE void gather_block(const TermTable<Real>& table, const Query* queries,
       }
       turn = {hn::Load(d, sine), hn::Load(d, cosine)};
     }
-    const Vec a = hn::Load(d, re + q), b = hn::Load(d, im + q);
+    const Vec sign = hn::Mul(hn::Load(d, outer.sign + q), hn::Load(d, inner.sign + q));
+    const Vec a = hn::Mul(sign, hn::Load(d, re + q)), b = hn::Mul(sign, hn::Load(d, im + q));
     hn::StoreInterleaved2(hn::Sub(hn::Mul(a, turn.cosine), hn::Mul(b, turn.sine)),
                           hn::Add(hn::Mul(a, turn.sine), hn::Mul(b, turn.cosine)), d, out + 2 * q);
   }
@@ -321,7 +303,7 @@ HWY_INLINE void contract_steps(const PixelStrip& strip, const double* from, std:
     const Vec h = hn::LoadU(d, from + static_cast<std::ptrdiff_t>(step + u) * strip.stride);
     const Vec s =
         hn::Mul(hn::Sub(h, hn::Set(d, strip.mid_um)), hn::Set(d, strip.per_half_range_um));
-    const SineCosine turn = sine_cosine(hn::Mul(hn::Set(d, strip.phase_per_s), s));
+    const SineCosine turn = turned(hn::Mul(hn::Set(d, strip.phase_per_s), s));
     const Vec a = hn::Set(d, weight[0]), b = hn::Set(d, weight[1]);
     re[u] = hn::NegMulAdd(b, turn.sine, hn::Mul(a, turn.cosine));
     im[u] = hn::MulAdd(b, turn.cosine, hn::Mul(a, turn.sine));
@@ -344,7 +326,6 @@ HWY_INLINE void contract_steps(const PixelStrip& strip, const double* from, std:
 }
 
 void contract(const PixelStrip& strip, int terms, double* sums) {
-  if (!(std::abs(strip.phase_per_s) <= 1e6)) return brdf::portable_contract(strip, terms, sums);
   for (int i = 0; i < 2 * PixelStrip::lanes * terms; ++i) sums[i] = 0;
   // Five vectors a step have to stay in registers: 32 of them with AVX-512, 16 else.
   constexpr int unrolled = lanes == 8 ? 4 : 2;
@@ -373,12 +354,25 @@ HWY_EXPORT(gather_double);
 HWY_EXPORT(contract);
 HWY_EXPORT(target_name);
 
+namespace {
+
+void best_contract(const brdf::PixelStrip& strip, int terms, double* sums) {
+  constexpr double max_phase_rad = 1e5;  // the reach of sine_cosine, |s| <= 1
+  if (!(std::abs(strip.phase_per_s) <= max_phase_rad))
+    return brdf::portable_contract(strip, terms, sums);
+  HWY_DYNAMIC_DISPATCH(contract)(strip, terms, sums);
+}
+
+}  // namespace
+
 const brdf::SeriesKernels& vectorised_kernels() {
   static const brdf::SeriesKernels kernels = [] {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     return brdf::SeriesKernels{&HWY_DYNAMIC_DISPATCH(gather_float),
-                               &HWY_DYNAMIC_DISPATCH(gather_double),
-                               &HWY_DYNAMIC_DISPATCH(contract)};
+                               &HWY_DYNAMIC_DISPATCH(gather_double), best_contract,
+                               vectorised_phase_kernels(),
+                               // A sine, a cosine and two products; benchmarks/results.
+                               1.1e-9};
   }();
   return kernels;
 }

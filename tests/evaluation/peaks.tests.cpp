@@ -130,6 +130,15 @@ TEST_CASE("a flat response has no peak", "[invariant]") {
   }
 }
 
+TEST_CASE("a maximum that the response's own error could make is no peak", "[invariant]") {
+  PeakSearch search;
+  search.floor = 0.9;
+  for (const auto& peak : find_peaks(lobes(2.5, {{1, 1.0}}), plane_at(75), search))
+    CHECK(peak.theta_r_deg);
+  for (const auto& peak : find_peaks(lobes(2.5, {{1, 0.8}}), plane_at(75), search))
+    CHECK_FALSE(peak.theta_r_deg);
+}
+
 TEST_CASE("a range of periods bounds the search from both sides", "[invariant]") {
   const ResponseMatrix response = lobes(2.5, {{1, 1.0}, {2, 5.0}});
   PeakSearch search;

@@ -191,3 +191,25 @@ TEST_CASE("a task that throws stops the others and is thrown again", "[invariant
   CHECK(seen == std::vector<int>(1000, 1));
   evaluation::parallel_for(0, 4, [](std::size_t) { FAIL("there is nothing to do"); });
 }
+
+TEST_CASE("in the plane of incidence, and there only, the queries lie on the line told",
+          "[invariant]") {
+  for (const double turn : {0.0, 180.0, -180.0, 540.0}) {
+    SweepRequest request = small_request();
+    request.phi_r = Angle::deg(20 + turn);
+    const brdf::QueryBounds bounds = bounds_of(request, 1e-6);
+    REQUIRE(bounds.line);
+    CHECK(std::abs(std::hypot(bounds.line->cos_azimuth, bounds.line->sin_azimuth) - 1) <= 4e-16);
+    for (const brdf::Query& q : queries_of_row(request, 1)) {
+      const double off =
+          q.qx_per_um * bounds.line->sin_azimuth - q.qy_per_um * bounds.line->cos_azimuth;
+      // Azimuths of up to 560 deg are rounded to 1e-15 of themselves, q is up to 25 rad/um.
+      CHECK(std::abs(off) <= 1e-13);
+    }
+  }
+  SweepRequest request = small_request();
+  request.phi_r = Angle::deg(20.001);
+  CHECK_FALSE(bounds_of(request, 1e-6).line);
+  request.theta_i = Angle::deg(0);
+  CHECK(bounds_of(request, 1e-6).line);
+}
