@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 
+#include "brdf/directions.h"
 #include "brdf/surface.h"
 
 namespace brdf {
@@ -18,6 +19,12 @@ namespace brdf {
 struct Query {
   double qx_per_um, qy_per_um, c_per_um;
 };
+
+/// The query of two directions and a wavelength: k times the scattering vector (Thesis 1.12).
+inline Query query(const Direction& omega_i, const Direction& omega_r, Length wavelength) {
+  const Eigen::Vector3d q = wavenumber_per_um(wavelength) * scattering_vector(omega_i, omega_r);
+  return {q.x(), q.y(), q.z()};
+}
 
 /// A line through qx = qy = 0: the plane of incidence at this azimuth. A unit vector.
 struct LineDirection {

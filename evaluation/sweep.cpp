@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <mutex>
 #include <span>
 
@@ -13,11 +14,6 @@ namespace {
 
 /// Cells between two looks at the clock.
 constexpr std::size_t batch_cells = 32;
-
-brdf::Query query(const SweepRequest& request, const Eigen::Vector3d& scattering, double k_per_um) {
-  const double w = request.depth == DepthFrequency::unit_w ? -1.0 : scattering.z();
-  return {k_per_um * scattering.x(), k_per_um * scattering.y(), k_per_um * w};
-}
 
 double gain(const SweepRequest& request, std::size_t row, std::size_t column, double area_um2) {
   switch (request.quantity) {
@@ -32,16 +28,24 @@ double gain(const SweepRequest& request, std::size_t row, std::size_t column, do
   return 1;
 }
 
-/// The line that all queries lie on where the viewer moves in the plane of incidence.
-std::optional<brdf::LineDirection> plane_of_queries(const SweepRequest& request) {
-  // Azimuths that mean the same plane differ by their own rounding only; more would take the
-  // queries off the line by more than theirs.
-  constexpr double rounding_deg = 1e-12;
-  const double apart_deg = std::remainder(request.phi_r.deg() - request.phi_i.deg(), 180.0);
-  if (!(std::abs(apart_deg) <= rounding_deg) && request.theta_i.rad() != 0) return std::nullopt;
+/// The line that all queries lie on where the viewer moves in the plane of incidence. Empty where
+/// they miss it by more than the rounding of k u and k v: azimuths of many turns are rounded more.
+std::optional<brdf::LineDirection> line_through(const SweepRequest& request,
+                                                std::span<const brdf::Query> queries,
+                                                double largest_c_per_um) {
   const brdf::Direction along = brdf::direction(brdf::Angle::deg(45), request.phi_r);
   const double length = std::hypot(along.x(), along.y());
-  return brdf::LineDirection{along.x() / length, along.y() / length};
+  const brdf::LineDirection line{along.x() / length, along.y() / length};
+  double largest_q_per_um = 0, off_per_um = 0;
+  for (const brdf::Query& q : queries) {
+    largest_q_per_um = std::max(largest_q_per_um, std::hypot(q.qx_per_um, q.qy_per_um));
+    off_per_um = std::max(
+        off_per_um, std::abs(q.qy_per_um * line.cos_azimuth - q.qx_per_um * line.sin_azimuth));
+  }
+  const double rounding =
+      2 * std::numeric_limits<double>::epsilon() * (largest_q_per_um + largest_c_per_um);
+  if (!(off_per_um <= rounding)) return std::nullopt;
+  return line;
 }
 
 }  // namespace
@@ -61,11 +65,14 @@ void require_valid(const SweepRequest& request) {
 }
 
 std::vector<brdf::Query> queries_of_row(const SweepRequest& request, std::size_t row) {
-  const double k_per_um = brdf::wavenumber_per_um(brdf::Length::nm(request.lambda_nm[row]));
+  const brdf::Length wavelength = brdf::Length::nm(request.lambda_nm[row]);
   const brdf::Direction omega_i = request.omega_i();
   std::vector<brdf::Query> queries(request.theta_r_deg.size());
-  for (std::size_t j = 0; j < queries.size(); ++j)
-    queries[j] = query(request, brdf::scattering_vector(omega_i, request.omega_r(j)), k_per_um);
+  for (std::size_t j = 0; j < queries.size(); ++j) {
+    queries[j] = brdf::query(omega_i, request.omega_r(j), wavelength);
+    if (request.depth == DepthFrequency::unit_w)
+      queries[j].c_per_um = -brdf::wavenumber_per_um(wavelength);
+  }
   return queries;
 }
 
@@ -77,7 +84,7 @@ brdf::QueryBounds bounds_of(const SweepRequest& request, double tolerance) {
   extremes.insert(extremes.end(), last.begin(), last.end());
   brdf::QueryBounds bounds = brdf::bounds_of(extremes, tolerance);
   bounds.count = request.cells();
-  bounds.line = plane_of_queries(request);
+  bounds.line = line_through(request, extremes, bounds.max_abs_c_per_um());
   return bounds;
 }
 

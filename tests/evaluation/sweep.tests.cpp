@@ -194,7 +194,7 @@ TEST_CASE("a task that throws stops the others and is thrown again", "[invariant
 
 TEST_CASE("in the plane of incidence, and there only, the queries lie on the line told",
           "[invariant]") {
-  for (const double turn : {0.0, 180.0, -180.0, 540.0}) {
+  for (const double turn : {0.0, 180.0, -180.0}) {
     SweepRequest request = small_request();
     request.phi_r = Angle::deg(20 + turn);
     const brdf::QueryBounds bounds = bounds_of(request, 1e-6);
@@ -203,8 +203,8 @@ TEST_CASE("in the plane of incidence, and there only, the queries lie on the lin
     for (const brdf::Query& q : queries_of_row(request, 1)) {
       const double off =
           q.qx_per_um * bounds.line->sin_azimuth - q.qy_per_um * bounds.line->cos_azimuth;
-      // Azimuths of up to 560 deg are rounded to 1e-15 of themselves, q is up to 25 rad/um.
-      CHECK(std::abs(off) <= 1e-13);
+      // The rounding of q itself, up to 25 rad/um, and of the line.
+      CHECK(std::abs(off) <= 2e-14);
     }
   }
   SweepRequest request = small_request();

@@ -10,14 +10,6 @@
 
 using Amplitudes = std::vector<std::complex<double>>;
 
-/// (k u, k v, k w) of two directions.
-inline brdf::Query query(const brdf::Direction& omega_i, const brdf::Direction& omega_r,
-                         brdf::Length wavelength) {
-  const Eigen::Vector3d q =
-      brdf::wavenumber_per_um(wavelength) * brdf::scattering_vector(omega_i, omega_r);
-  return {q.x(), q.y(), q.z()};
-}
-
 /// The query in the plane of incidence y = 0 with signed angles.
 inline brdf::Query query_in_plane(brdf::Angle theta_i, brdf::Angle theta_r,
                                   brdf::Length wavelength) {
