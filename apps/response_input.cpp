@@ -35,19 +35,21 @@ std::optional<Angle> angle(const std::optional<Angle>& option, const Json& sidec
 /// The response that the stated error of the amplitude could make where there is none: its square,
 /// for quantities whose gain is about 1; 0 where nothing is known.
 double response_floor(const Json& sidecar) {
-  const Json::json_pointer bound("/error/amplitude_bound"), quantity("/parameters/quantity");
+  const Json::json_pointer bound("/error/amplitude_bound");
   if (!sidecar.contains(bound) || !sidecar[bound].is_number()) return 0;
-  if (sidecar.value(quantity, "") == "brdf") return 0;
+  if (sidecar_text(sidecar, "/parameters/quantity", "") == "brdf") return 0;
   const double error = sidecar[bound].get<double>();
   return error * error;
 }
 
-bool is_thesis_preset(const Json& sidecar) {
-  const Json::json_pointer pointer("/parameters/preset");
-  return sidecar.contains(pointer) && sidecar[pointer] == "thesis";
-}
-
 }  // namespace
+
+std::string sidecar_text(const Json& sidecar, const std::string& pointer,
+                         const std::string& otherwise) {
+  const Json::json_pointer at(pointer);
+  return sidecar.contains(at) && sidecar[at].is_string() ? sidecar[at].get<std::string>()
+                                                         : otherwise;
+}
 
 double ResponseInput::angle_step_deg() const {
   const evaluation::Axis& theta = response.theta_r_deg;
@@ -121,8 +123,9 @@ ResponseInput ResponseOptions::read() const {
     input.plane.sigma_f_per_um = brdf::GaussianWindow(Length::um(*sigma_um)).sigma_f_per_um();
   input.search.floor = response_floor(sidecar);
   if (window) input.search.theta_r_deg = {window->first.deg(), window->second.deg()};
-  input.search.refinement =
-      refinement.value_or(is_thesis_preset(sidecar) ? Refinement::grid : Refinement::parabola);
+  input.search.refinement = refinement.value_or(
+      sidecar_text(sidecar, "/parameters/preset", "") == "thesis" ? Refinement::grid
+                                                                  : Refinement::parabola);
   return input;
 }
 

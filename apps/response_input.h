@@ -26,6 +26,10 @@ struct ResponseInput {
   evaluation::Json parameters() const;
 };
 
+/// A text of a sidecar by its JSON pointer; `otherwise` where it is missing or no text.
+std::string sidecar_text(const evaluation::Json& sidecar, const std::string& pointer,
+                         const std::string& otherwise);
+
 /// The options that `peaks`, `period` and `plot` share.
 struct ResponseOptions {
   std::string file;

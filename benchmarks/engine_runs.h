@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
 #include <functional>
 #include <span>
@@ -81,10 +82,14 @@ inline double run_direct_sum(const brdf::Surface& surface, const Queries& querie
   return evaluate(method.plan(surface, brdf::bounds_of(queries, 0)), queries, amplitudes, run);
 }
 
+/// NaN if any amplitude is.
 inline double worst_difference(const Amplitudes& a, const Amplitudes& b) {
   double worst = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (const double d = std::abs(a[i] - b[i]); !(d <= worst)) worst = d;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double d = std::abs(a[i] - b[i]);
+    if (std::isnan(d)) return d;
+    worst = std::max(worst, d);
+  }
   return worst;
 }
 

@@ -20,12 +20,6 @@ struct PlotOptions {
   std::string output;
 };
 
-std::string sidecar_text(const Json& sidecar, const char* pointer, const std::string& otherwise) {
-  const Json::json_pointer at(pointer);
-  return sidecar.contains(at) && sidecar[at].is_string() ? sidecar[at].get<std::string>()
-                                                         : otherwise;
-}
-
 std::string value_label(const Json& sidecar) {
   const std::string quantity = sidecar_text(sidecar, "/parameters/quantity", "");
   if (quantity == "power") return "abs(a)^2";

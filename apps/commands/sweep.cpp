@@ -137,7 +137,6 @@ Json audited(const evaluation::SweepRequest& request, const brdf::Surface& surfa
 void run(SweepOptions options) {
   const auto start = std::chrono::steady_clock::now();
   options.resolve();
-  options.settings.threads = options.threads;
   const evaluation::Method& method = evaluation::method_named(*options.method);
   const evaluation::SweepRequest request = options.request();
   std::optional<evaluation::OutputWithSidecar> output;
@@ -166,7 +165,7 @@ void run(SweepOptions options) {
   check_error("the error bound", report.error_bound, options);
 
   evaluation::RunLimits limits;
-  limits.threads = options.threads;
+  limits.threads = options.settings.threads;
   if (options.time_limit) limits.time = {start, *options.time_limit};
   const evaluation::ResponseMatrix response = brdf::at_place(options.heights.file, [&] {
     return sweep(request, *amplitude, coherence_area_um2(surface), limits, progress_line("sweep"));

@@ -149,7 +149,7 @@ void add_run(CLI::App* sweep, SweepOptions& options) {
   add_output(sweep, options.output,
              "CSV file, with its sidecar FILE.json (default: CSV to standard output)");
   add_choice(sweep, "--layout", options.layout, layout_choices, "of the CSV (default matrix)");
-  add_parsed(sweep, "--threads", options.threads, count_between(1, 1024),
+  add_parsed(sweep, "--threads", options.settings.threads, count_between(1, 1024),
              "threads (default: all); the result does not depend on them", "N");
   add_parsed(sweep, "--memory-limit", options.memory_limit, parse_bytes,
              "refuse what needs more (default 80 % of the machine's)", "BYTES");
@@ -163,7 +163,7 @@ void add_run(CLI::App* sweep, SweepOptions& options) {
 }  // namespace
 
 void SweepOptions::add_to(CLI::App* sweep) {
-  threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  settings.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   heights.add_to(sweep);
   add_scene(sweep, *this);
   add_method(sweep, *this);

@@ -39,7 +39,6 @@ struct SweepOptions {
   std::optional<brdf::Quantity> quantity;
   evaluation::CsvLayout layout = evaluation::CsvLayout::matrix;
   Preset preset = Preset::physical;
-  int threads = 1;
   std::optional<int> audit;
   std::optional<std::size_t> memory_limit;
   std::optional<std::chrono::duration<double>> time_limit;

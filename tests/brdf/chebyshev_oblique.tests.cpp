@@ -9,14 +9,13 @@
 #include "brdf/direct_sum.h"
 #include "brdf/directions.h"
 #include "brdf/height_field.h"
+#include "tests/support/amplitudes.h"
 
 using namespace brdf;
 
 namespace {
 
 constexpr unsigned seed = 23;
-
-using Amplitudes = std::vector<std::complex<double>>;
 
 HeightField relief(double height_um, Eigen::Index rows = 48, Eigen::Index cols = 63) {
   std::mt19937 random(seed);
@@ -45,28 +44,10 @@ std::vector<Query> plane(Angle azimuth, std::size_t count) {
 }
 
 QueryBounds bounds_on_line(std::span<const Query> queries, Angle azimuth, double tolerance) {
-  QueryBounds bounds = bounds_of(queries, tolerance);
-  bounds.count = 10'000'000;
+  QueryBounds bounds = many(queries, tolerance);
   const Direction along = direction(Angle::deg(45), azimuth) / std::sin(pi / 4);
   bounds.line = LineDirection{along.x(), along.y()};
   return bounds;
-}
-
-template <class Plan>
-Amplitudes amplitudes_of(const Plan& plan, std::span<const Query> queries) {
-  Amplitudes amplitudes(queries.size());
-  plan.evaluate(queries, amplitudes);
-  return amplitudes;
-}
-
-/// NaN if any amplitude is.
-double largest_difference(const Amplitudes& a, const Amplitudes& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double difference = std::abs(a[i] - b[i]);
-    if (!(difference <= largest)) largest = difference;
-  }
-  return largest;
 }
 
 Surface surface_of(const HeightField& field, SurfaceModel model) {

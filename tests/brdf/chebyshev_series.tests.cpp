@@ -14,12 +14,11 @@
 
 #include "brdf/direct_sum.h"
 #include "brdf/height_field.h"
+#include "tests/support/amplitudes.h"
 
 using namespace brdf;
 
 namespace {
-
-using Amplitudes = std::vector<std::complex<double>>;
 
 constexpr unsigned seed = 20140106;
 
@@ -68,30 +67,6 @@ std::vector<Query> random_queries(Frequencies frequencies, std::size_t count) {
                        frequencies == Frequencies::along_x ? 0.3 : k_per_um * v, k_per_um * w});
   }
   return queries;
-}
-
-/// Bounds that make a table worth while.
-QueryBounds many(std::span<const Query> queries, double tolerance) {
-  QueryBounds bounds = bounds_of(queries, tolerance);
-  bounds.count = 10'000'000;
-  return bounds;
-}
-
-template <class Plan>
-Amplitudes amplitudes_of(const Plan& plan, std::span<const Query> queries) {
-  Amplitudes amplitudes(queries.size());
-  plan.evaluate(queries, amplitudes);
-  return amplitudes;
-}
-
-/// NaN if any amplitude is.
-double largest_difference(const Amplitudes& a, const Amplitudes& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double difference = std::abs(a[i] - b[i]);
-    if (!(difference <= largest)) largest = difference;
-  }
-  return largest;
 }
 
 Surface surface_of(const HeightField& field, SurfaceModel model, double sigma_um = 1.8) {

@@ -154,3 +154,20 @@ TEST_CASE("options override what the sidecar says", "[cli][sidecar]") {
   CHECK(period(" --theta-i 75deg") == from_sidecar);
   CHECK(std::abs(period(" --theta-i 74deg") - from_sidecar) > 1);
 }
+
+TEST_CASE("parameters of another type than they should be are as good as missing",
+          "[cli][sidecar]") {
+  const Scratch folder;
+  make_response(folder);
+  const json good = sidecar_of(folder, "R.csv");
+  for (const std::string place : {"/parameters/quantity", "/parameters/preset",
+                                  "/parameters/sigma_um", "/error/amplitude_bound"}) {
+    json sidecar = good;
+    sidecar[json::json_pointer(place)] = json::array({5});
+    folder.write("R.csv.json", sidecar.dump());
+    const Outcome outcome = folder.shedlight("period R.csv");
+    CAPTURE(place);
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.err == "");
+  }
+}

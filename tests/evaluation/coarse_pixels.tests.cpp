@@ -9,14 +9,13 @@
 #include "brdf/direct_sum.h"
 #include "evaluation/kernels/phase_sum.h"
 #include "evaluation/kernels/series_kernels.h"
+#include "tests/support/amplitudes.h"
 
 using namespace brdf;
 
 namespace {
 
 constexpr unsigned seed = 31;
-
-using Amplitudes = std::vector<std::complex<double>>;
 
 HeightField rough(Eigen::Index rows, Eigen::Index cols, double pixel_um) {
   std::mt19937 random(seed);
@@ -33,29 +32,6 @@ std::vector<Query> queries(bool in_plane, std::size_t count) {
     result.push_back(
         {31 * uniform(random), in_plane ? 0.3 : 31 * uniform(random), -18 + 14 * uniform(random)});
   return result;
-}
-
-QueryBounds many(std::span<const Query> some, double tolerance) {
-  QueryBounds bounds = bounds_of(some, tolerance);
-  bounds.count = 10'000'000;
-  return bounds;
-}
-
-template <class Plan>
-Amplitudes amplitudes_of(const Plan& plan, std::span<const Query> some) {
-  Amplitudes amplitudes(some.size());
-  plan.evaluate(some, amplitudes);
-  return amplitudes;
-}
-
-/// NaN if any amplitude is.
-double largest_difference(const Amplitudes& a, const Amplitudes& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double difference = std::abs(a[i] - b[i]);
-    if (!(difference <= largest)) largest = difference;
-  }
-  return largest;
 }
 
 }  // namespace

@@ -9,14 +9,13 @@
 
 #include "brdf/chebyshev_series.h"
 #include "brdf/direct_sum.h"
+#include "tests/support/amplitudes.h"
 
 using namespace brdf;
 
 namespace {
 
 constexpr unsigned seed = 7;
-
-using Amplitudes = std::vector<std::complex<double>>;
 
 HeightField rough(Eigen::Index rows, Eigen::Index cols, double height_um) {
   std::mt19937 random(seed);
@@ -34,27 +33,6 @@ std::vector<Query> queries(bool in_plane, std::size_t count) {
         {30 * uniform(random), in_plane ? 0.3 : 25 * uniform(random), -18 + 14 * uniform(random)});
   result.push_back({0, in_plane ? 0.3 : 0, -10});  // on a grid point
   return result;
-}
-
-QueryBounds many(std::span<const Query> some, double tolerance) {
-  QueryBounds bounds = bounds_of(some, tolerance);
-  bounds.count = 10'000'000;
-  return bounds;
-}
-
-Amplitudes amplitudes(const ChebyshevSeriesPlan& plan, std::span<const Query> some) {
-  Amplitudes result(some.size());
-  plan.evaluate(some, result);
-  return result;
-}
-
-double largest_difference(const Amplitudes& a, const Amplitudes& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double difference = std::abs(a[i] - b[i]);
-    if (!(difference <= largest)) largest = difference;
-  }
-  return largest;
 }
 
 }  // namespace
@@ -77,7 +55,7 @@ TEST_CASE("vectorised amplitudes equal the portable ones to 1e-13", "[series_ker
   const ChebyshevSeriesPlan vectorised = ChebyshevSeries(evaluation::vectorised_kernels(), settings)
                                              .plan(surface, many(some, tolerance));
   const double difference =
-      largest_difference(amplitudes(portable, some), amplitudes(vectorised, some));
+      largest_difference(amplitudes_of(portable, some), amplitudes_of(vectorised, some));
   CAPTURE(evaluation::instruction_set(), difference);
   // Tables in single precision are filled by other loops and may round the last bit differently:
   // 2^-24 of an entry, up to three entries' worth.
@@ -107,10 +85,10 @@ TEST_CASE("vectorised amplitudes do not depend on the batch", "[series_kernels][
   const std::vector<Query> some = queries(in_plane, 9001);  // above the size that is sorted
   const ChebyshevSeriesPlan plan =
       ChebyshevSeries(evaluation::vectorised_kernels()).plan(surface, many(some, 1e-6));
-  const Amplitudes whole = amplitudes(plan, some);
+  const Amplitudes whole = amplitudes_of(plan, some);
   for (std::size_t first = 0; first < 300; first += 7) {
     const std::size_t count = 1 + first % 19;
-    CHECK(amplitudes(plan, std::span(some).subspan(first, count)) ==
+    CHECK(amplitudes_of(plan, std::span(some).subspan(first, count)) ==
           Amplitudes(whole.begin() + static_cast<long>(first),
                      whole.begin() + static_cast<long>(first + count)));
   }
@@ -124,8 +102,8 @@ TEST_CASE("vectorised amplitudes keep the tolerance", "[series_kernels][oracle]"
   Amplitudes reference(some.size());
   DirectSum{}.plan(surface, many(some, 1)).evaluate(some, reference);
   for (const double tolerance : {1e-1, 1e-3, 1e-6, 1e-9, 1e-12})
-    CHECK(largest_difference(amplitudes(ChebyshevSeries(evaluation::vectorised_kernels())
-                                            .plan(surface, many(some, tolerance)),
-                                        some),
+    CHECK(largest_difference(amplitudes_of(ChebyshevSeries(evaluation::vectorised_kernels())
+                                               .plan(surface, many(some, tolerance)),
+                                           some),
                              reference) <= tolerance);
 }
