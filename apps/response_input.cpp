@@ -99,11 +99,12 @@ void ResponseOptions::add_to(CLI::App* app) {
 
 ResponseInput ResponseOptions::read() const {
   const std::string bytes = evaluation::read_file_bytes(file);
+  const std::string sha256 = evaluation::sha256_hex(bytes);
   ResponseInput input{evaluation::response_from_csv(bytes, file),
                       {},
                       search,
-                      evaluation::read_sidecar(file, bytes),
-                      evaluation::sha256_hex(bytes)};
+                      evaluation::read_sidecar(file, sha256),
+                      sha256};
   const Json& sidecar = input.sidecar;
   const std::optional<Angle> incidence = angle(theta_i, sidecar, "theta_i_deg");
   if (!incidence)

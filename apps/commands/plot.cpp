@@ -98,7 +98,7 @@ std::string draw_cut(const ResponseInput& input, const PlotOptions& options) {
       value_label(input.sidecar)};
   for (const std::string& file : options.others) {
     const std::string bytes = evaluation::read_file_bytes(file);
-    const Json sidecar = evaluation::read_sidecar(file, bytes);
+    const Json sidecar = evaluation::read_sidecar(file, evaluation::sha256_hex(bytes));
     const std::string label = value_label(sidecar);
     if (!sidecar.is_null() && label != picture.value_label)
       throw brdf::Error(brdf::Errc::bad_input,
