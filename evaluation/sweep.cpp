@@ -24,6 +24,9 @@ double gain(const SweepRequest& request, std::size_t row, std::size_t column, do
     case brdf::Quantity::brdf:
       return brdf::brdf_gain(request.omega_i(), request.omega_r(column),
                              brdf::Length::nm(request.lambda_nm[row]), area_um2);
+    case brdf::Quantity::radiance:
+      return brdf::radiance_gain(request.omega_i(), request.omega_r(column),
+                                 brdf::Length::nm(request.lambda_nm[row]), area_um2);
   }
   return 1;
 }
