@@ -37,7 +37,8 @@ std::optional<Angle> angle(const std::optional<Angle>& option, const Json& sidec
 double response_floor(const Json& sidecar) {
   const Json::json_pointer bound("/error/amplitude_bound");
   if (!sidecar.contains(bound) || !sidecar[bound].is_number()) return 0;
-  if (sidecar_text(sidecar, "/parameters/quantity", "") == "brdf") return 0;
+  const std::string quantity = sidecar_text(sidecar, "/parameters/quantity", "");
+  if (quantity == "brdf" || quantity == "radiance") return 0;
   const double error = sidecar[bound].get<double>();
   return error * error;
 }

@@ -36,6 +36,7 @@ std::string value_label(const Json& sidecar) {
   if (quantity == "power") return "abs(a)^2";
   if (quantity == "relative") return "relative reflectance";
   if (quantity == "brdf") return "BRDF [1/sr]";
+  if (quantity == "radiance") return "radiance per intensity I [1/sr]";
   return "response";
 }
 

@@ -14,8 +14,10 @@ using brdf::Quantity;
 using brdf::SurfaceModel;
 using evaluation::CsvLayout;
 
-const Choices<Quantity> quantity_choices{
-    {"power", Quantity::power}, {"relative", Quantity::relative}, {"brdf", Quantity::brdf}};
+const Choices<Quantity> quantity_choices{{"power", Quantity::power},
+                                         {"relative", Quantity::relative},
+                                         {"brdf", Quantity::brdf},
+                                         {"radiance", Quantity::radiance}};
 const Choices<CsvLayout> layout_choices{{"matrix", CsvLayout::matrix},
                                         {"long", CsvLayout::long_table}};
 const Choices<Preset> preset_choices{{"physical", Preset::physical}, {"thesis", Preset::thesis}};
@@ -121,7 +123,8 @@ void add_scene(CLI::App* sweep, SweepOptions& options) {
       },
       "copies of the patch side by side, evenly lit, for --surface replicated", "N[,N]");
   add_choice(sweep, "--quantity", options.quantity, quantity_choices,
-             "abs(a)^2, relative reflectance (default), or BRDF in 1/sr");
+             "abs(a)^2, relative reflectance (default), BRDF in 1/sr, or radiance per intensity of "
+             "the light in 1/sr");
 }
 
 void add_method(CLI::App* sweep, SweepOptions& options) {
