@@ -51,10 +51,14 @@ void require_consistent(const SweepOptions& options, const evaluation::Method& m
   };
   if (options.settings.terms && options.tolerance)
     refuse("--terms and --tolerance exclude each other: the tolerance chooses the terms");
-  const std::string no_meaning =
-      " has no meaning for --method " + std::string(method.name) + "; it goes with --method taylor";
-  if (!method.is_taylor && options.settings.terms) refuse("--terms" + no_meaning);
-  if (!method.is_taylor && options.settings.radius_sigma_f) refuse("--window-radius" + no_meaning);
+  const auto require_knob = [&](const std::string& option, evaluation::Knob knob) {
+    if (!method.takes(knob))
+      refuse(option + " has no meaning for --method " + std::string(method.name) +
+             "; it goes with --method " + evaluation::methods_with(knob));
+  };
+  if (options.settings.terms) require_knob("--terms", evaluation::Knob::terms);
+  if (options.settings.radius_sigma_f)
+    require_knob("--window-radius", evaluation::Knob::window_radius);
   if (options.tolerance && !(*options.tolerance > 0 && *options.tolerance < 1))
     refuse("--tolerance " + brdf::text(*options.tolerance) + ": must lie between 0 and 1");
   if (options.replicas && *options.model != SurfaceModel::replicated)
