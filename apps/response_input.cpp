@@ -1,5 +1,6 @@
 #include "apps/response_input.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "apps/options.h"
@@ -18,28 +19,31 @@ using evaluation::Refinement;
 const Choices<Refinement> refinement_choices{{"grid", Refinement::grid},
                                              {"parabola", Refinement::parabola}};
 
-/// A number under /parameters of a sidecar; empty where it is missing or no number.
-std::optional<double> parameter(const Json& sidecar, const std::string& key) {
-  const Json::json_pointer pointer("/parameters/" + key);
-  if (!sidecar.contains(pointer) || !sidecar[pointer].is_number()) return std::nullopt;
-  return sidecar[pointer].get<double>();
+/// A number at a JSON pointer of a sidecar; empty where it is missing or no number.
+std::optional<double> number(const Json& sidecar, const std::string& pointer) {
+  const Json::json_pointer at(pointer);
+  if (!sidecar.contains(at) || !sidecar[at].is_number()) return std::nullopt;
+  return sidecar[at].get<double>();
 }
 
 std::optional<Angle> angle(const std::optional<Angle>& option, const Json& sidecar,
                            const std::string& key) {
   if (option) return option;
-  if (const auto value = parameter(sidecar, key)) return Angle::deg(*value);
+  if (const auto value = number(sidecar, "/parameters/" + key)) return Angle::deg(*value);
   return std::nullopt;
 }
 
-/// The response that the stated error of the amplitude could make where there is none: its square,
-/// for quantities whose gain is about 1; 0 where nothing is known.
+/// The response that the error of the amplitude could make where there is none: its square, for
+/// quantities whose gain is about 1; 0 where nothing is known. A bound above a hundredth, such as
+/// that of an interpolation which holds for any surface, gives way to what the audit found on this
+/// one.
 double response_floor(const Json& sidecar) {
-  const Json::json_pointer bound("/error/amplitude_bound");
-  if (!sidecar.contains(bound) || !sidecar[bound].is_number()) return 0;
+  constexpr double telling_bound = 1e-2;
   const std::string quantity = sidecar_text(sidecar, "/parameters/quantity", "");
   if (quantity == "brdf" || quantity == "radiance") return 0;
-  const double error = sidecar[bound].get<double>();
+  double error = number(sidecar, "/error/amplitude_bound").value_or(0);
+  const auto found = number(sidecar, "/error/audit/worst_error");
+  if (error > telling_bound && found) error = std::min(error, *found);
   return error * error;
 }
 
@@ -120,7 +124,7 @@ ResponseInput ResponseOptions::read() const {
   const Angle viewer = angle(phi_r, sidecar, "phi_r_deg").value_or(light);
   input.plane = evaluation::plane_of_incidence(*incidence, light, viewer);
   const std::optional<double> sigma_um =
-      sigma ? std::optional(sigma->um()) : parameter(sidecar, "sigma_um");
+      sigma ? std::optional(sigma->um()) : number(sidecar, "/parameters/sigma_um");
   if (sigma_um)
     input.plane.sigma_f_per_um = brdf::GaussianWindow(Length::um(*sigma_um)).sigma_f_per_um();
   input.search.floor = response_floor(sidecar);

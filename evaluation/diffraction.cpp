@@ -3,19 +3,35 @@
 #include <complex>
 #include <vector>
 
+#include "brdf/shadowing.h"
+
 namespace evaluation {
+
+namespace {
+
+double visible(Shadowing shadowing, const brdf::Direction& omega_i,
+               const brdf::Direction& omega_r) {
+  return shadowing == Shadowing::v_cavity ? brdf::v_cavity_shadowing(omega_i, omega_r) : 1.0;
+}
+
+}  // namespace
 
 double gain(const Optics& optics, const brdf::Direction& omega_i, const brdf::Direction& omega_r,
             brdf::Length wavelength) {
+  const double cosine = brdf::cos_half(omega_i, omega_r);
+  const double lit = visible(optics.shadowing, omega_i, omega_r);
   switch (optics.quantity) {
     case brdf::Quantity::power:
       return 1;
     case brdf::Quantity::relative:
-      return brdf::relative_gain(omega_i, omega_r);
+      return lit * optics.fresnel.relative_reflectance(cosine) *
+             brdf::relative_gain(omega_i, omega_r);
     case brdf::Quantity::brdf:
-      return brdf::brdf_gain(omega_i, omega_r, wavelength, optics.coherence_area_um2);
+      return lit * optics.fresnel.reflectance(cosine) *
+             brdf::brdf_gain(omega_i, omega_r, wavelength, optics.coherence_area_um2);
     case brdf::Quantity::radiance:
-      return brdf::radiance_gain(omega_i, omega_r, wavelength, optics.coherence_area_um2);
+      return lit * optics.fresnel.reflectance(cosine) *
+             brdf::radiance_gain(omega_i, omega_r, wavelength, optics.coherence_area_um2);
   }
   return 1;
 }

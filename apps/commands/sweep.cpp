@@ -67,9 +67,9 @@ void check_error(const char* what, double error, const SweepOptions& options) {
       options.attainability());
 }
 
-Json parameters_json(const SweepOptions& options, const evaluation::SweepRequest& request,
-                     const brdf::Surface& surface, const brdf::PlanReport& report) {
-  const brdf::HeightField& field = *surface.heights;
+/// What every method has in common.
+Json scene_json(const SweepOptions& options, const evaluation::SweepRequest& request,
+                const brdf::HeightField& field) {
   Json p{{"columns", field.cols()},
          {"rows", field.rows()},
          {"pixel_um", {field.dx_um(), field.dy_um()}},
@@ -84,7 +84,14 @@ Json parameters_json(const SweepOptions& options, const evaluation::SweepRequest
   p["theta_r_deg"] = axis_json(request.theta_r_deg);
   p["lambda_nm"] = axis_json(request.lambda_nm);
   p["method"] = *options.method;
-  p["surface"] = evaluation::name_of(surface.model);
+  p["layout"] = name_in(layout_choices, options.layout);
+  p["strict"] = options.strict;
+  return p;
+}
+
+Json diffraction_json(const SweepOptions& options, const brdf::Surface& surface,
+                      const brdf::PlanReport& report) {
+  Json p{{"surface", evaluation::name_of(surface.model)}};
   if (surface.model == brdf::SurfaceModel::replicated)
     p["replicas"] = {surface.replicas.x, surface.replicas.y};
   else
@@ -95,9 +102,10 @@ Json parameters_json(const SweepOptions& options, const evaluation::SweepRequest
   else
     p["tolerance"] = options.tolerance.value_or(default_tolerance);
   if (report.radius_sigma_f > 0) p["window_radius_sigma_f"] = report.radius_sigma_f;
-  p["quantity"] = name_in(quantity_choices, *options.quantity);
-  p["layout"] = name_in(layout_choices, options.layout);
-  p["strict"] = options.strict;
+  if (evaluation::method_named(*options.method).takes(evaluation::Knob::interpolation))
+    p["interpolation"] =
+        evaluation::name_of(options.settings.interpolation.value_or(brdf::BinInterpolation::exact));
+  p.update(options.optics.parameters());
   return p;
 }
 
@@ -135,10 +143,86 @@ Json audited(const evaluation::SweepRequest& request, const evaluation::CellSele
           {"worst_theta_r_deg", found.theta_r_deg}};
 }
 
-void run(SweepOptions options) {
-  const auto start = std::chrono::steady_clock::now();
-  options.resolve();
+/// A response and what the sidecar says of it.
+struct Computed {
+  evaluation::ResponseMatrix response;
+  Json parameters, error;
+};
+
+/// The sweep itself, with what goes wrong in it said of the file.
+evaluation::ResponseMatrix swept(const SweepOptions& options,
+                                 const evaluation::SweepRequest& request,
+                                 const evaluation::Reflectance& reflectance,
+                                 const evaluation::CellSelection& cells,
+                                 const evaluation::RunLimits& limits) {
+  return brdf::at_place(options.heights.file, [&] {
+    return sweep(request, reflectance, cells, limits, progress_line("sweep"));
+  });
+}
+
+/// The matrix, its CSV at about 24 bytes a number, and where each selected cell lies.
+std::size_t response_bytes(const SweepOptions& options, const evaluation::SweepRequest& request) {
+  return request.cells() *
+         (sizeof(double) + 24 + (options.selection.orders_only ? sizeof(std::size_t) : 0));
+}
+
+Computed diffraction(const SweepOptions& options, const evaluation::SweepRequest& request,
+                     const brdf::Surface& surface, const evaluation::RunLimits& limits) {
   const evaluation::Method& method = evaluation::method_named(*options.method);
+  const brdf::HeightField& field = *surface.heights;
+  const brdf::QueryBounds bounds =
+      bounds_of(request, options.tolerance.value_or(default_tolerance));
+  check_sampling(request, field, options);
+  require_memory(method.bytes(surface, bounds, options.settings) +
+                     response_bytes(options, request) +
+                     static_cast<std::size_t>(field.heights_um().size()) * sizeof(double),
+                 options);
+  const auto amplitude = method.plan(surface, bounds, options.settings);
+  const brdf::PlanReport report = amplitude->report();
+  check_error("the error bound", report.error_bound, options);
+
+  const evaluation::CellSelection cells = options.selection.cells(request, surface);
+  const evaluation::Diffraction reflectance(*amplitude, options.optics.optics(surface),
+                                            request.depth);
+  Computed computed{swept(options, request, reflectance, cells, limits),
+                    diffraction_json(options, surface, report),
+                    {}};
+  if (options.selection.orders_only)
+    computed.parameters["orders_only"] = options.selection.parameters(request, surface, cells);
+  computed.error = {{"amplitude_bound", report.error_bound},
+                    {"audit", audited(request, cells, surface, *amplitude, limits, options)},
+                    {"input_phase_error_rad", report.input_phase_error_rad},
+                    {"terms", report.terms},
+                    {"relative_to", "the peak of a flat patch"}};
+  return computed;
+}
+
+Computed geometric_optics(const SweepOptions& options, const evaluation::SweepRequest& request,
+                          const brdf::HeightField& field, const evaluation::RunLimits& limits) {
+  require_memory(response_bytes(options, request), options);
+  const auto model = options.geometric.model(*options.method, options.optics, field);
+  const evaluation::GeometricOptics reflectance(model, *options.optics.quantity);
+  Json parameters = model_json(model);
+  parameters["quantity"] = name_in(quantity_choices, *options.optics.quantity);
+  return {swept(options, request, reflectance, evaluation::CellSelection::all(request), limits),
+          std::move(parameters),
+          {{"of_the_model", "rounding alone"}, {"diffraction", "not modelled"}}};
+}
+
+void explain(const SweepOptions& options, const evaluation::SweepRequest& request,
+             const brdf::Surface& surface) {
+  const brdf::QueryBounds bounds =
+      bounds_of(request, options.tolerance.value_or(default_tolerance));
+  const Json plan =
+      evaluation::method_named(*options.method).explain(surface, bounds, options.settings);
+  print(options.json ? plan.dump(2) + "\n" : for_people(plan));
+}
+
+void run(SweepOptions options) {
+  evaluation::RunLimits limits;
+  if (options.time_limit) limits.time = {std::chrono::steady_clock::now(), *options.time_limit};
+  limits.threads = options.settings.threads;
+  options.resolve();
   const evaluation::SweepRequest request = options.request();
   std::optional<evaluation::OutputWithSidecar> output;
   if (!options.output.empty() && !options.explain) {
@@ -146,49 +230,17 @@ void run(SweepOptions options) {
     output.emplace(options.output);
   }
   const evaluation::HeightFile input = options.heights.read();
-  const brdf::HeightField& field = input.field;
-  const brdf::Surface surface = options.surface(field);
-  const brdf::QueryBounds bounds =
-      bounds_of(request, options.tolerance.value_or(default_tolerance));
-  if (options.explain) {
-    const Json plan = method.explain(surface, bounds, options.settings);
-    return print(options.json ? plan.dump(2) + "\n" : for_people(plan));
-  }
-
-  check_sampling(request, field, options);
-  // The matrix, its CSV at about 24 bytes a number, and where each selected cell lies.
-  const std::size_t response_bytes =
-      request.cells() *
-      (sizeof(double) + 24 + (options.selection.orders_only ? sizeof(std::size_t) : 0));
-  require_memory(method.bytes(surface, bounds, options.settings) + response_bytes +
-                     static_cast<std::size_t>(field.heights_um().size()) * sizeof(double),
-                 options);
-  const auto amplitude = method.plan(surface, bounds, options.settings);
-  const brdf::PlanReport report = amplitude->report();
-  check_error("the error bound", report.error_bound, options);
-
-  evaluation::RunLimits limits;
-  limits.threads = options.settings.threads;
-  if (options.time_limit) limits.time = {start, *options.time_limit};
-  const evaluation::CellSelection cells = options.selection.cells(request, surface);
-  const evaluation::Diffraction diffraction(
-      *amplitude, {*options.quantity, coherence_area_um2(surface)}, request.depth);
-  const evaluation::ResponseMatrix response = brdf::at_place(options.heights.file, [&] {
-    return sweep(request, diffraction, cells, limits, progress_line("sweep"));
-  });
-  const Json audit = audited(request, cells, surface, *amplitude, limits, options);
-  const std::string csv = to_csv(response, options.layout);
+  if (options.explain) return explain(options, request, options.surface(input.field));
+  const Computed computed =
+      options.is_geometric() ? geometric_optics(options, request, input.field, limits)
+                             : diffraction(options, request, options.surface(input.field), limits);
+  const std::string csv = to_csv(computed.response, options.layout);
   if (!output) return print(csv);
 
   Json sidecar = sidecar_head("sweep", options.heights.file, input.sha256);
-  sidecar["parameters"] = parameters_json(options, request, surface, report);
-  if (options.selection.orders_only)
-    sidecar["parameters"]["orders_only"] = options.selection.parameters(request, surface, cells);
-  sidecar["error"] = {{"amplitude_bound", report.error_bound},
-                      {"audit", audit},
-                      {"input_phase_error_rad", report.input_phase_error_rad},
-                      {"terms", report.terms},
-                      {"relative_to", "the peak of a flat patch"}};
+  sidecar["parameters"] = scene_json(options, request, input.field);
+  sidecar["parameters"].update(computed.parameters);
+  sidecar["error"] = computed.error;
   sidecar = output->commit(csv, std::move(sidecar));
   if (options.json) print(sidecar.dump(2) + "\n");
 }

@@ -9,15 +9,12 @@
 
 namespace apps {
 
+using brdf::BinInterpolation;
 using brdf::Length;
 using brdf::Quantity;
 using brdf::SurfaceModel;
 using evaluation::CsvLayout;
 
-const Choices<Quantity> quantity_choices{{"power", Quantity::power},
-                                         {"relative", Quantity::relative},
-                                         {"brdf", Quantity::brdf},
-                                         {"radiance", Quantity::radiance}};
 const Choices<CsvLayout> layout_choices{{"matrix", CsvLayout::matrix},
                                         {"long", CsvLayout::long_table}};
 const Choices<Preset> preset_choices{{"physical", Preset::physical}, {"thesis", Preset::thesis}};
@@ -27,6 +24,11 @@ namespace {
 const Choices<SurfaceModel> surface_choices{{"isolated", SurfaceModel::isolated},
                                             {"periodic", SurfaceModel::periodic},
                                             {"replicated", SurfaceModel::replicated}};
+
+const Choices<BinInterpolation> interpolation_choices{{"nearest", BinInterpolation::nearest},
+                                                      {"linear", BinInterpolation::linear},
+                                                      {"sinc", BinInterpolation::sinc},
+                                                      {"exact", BinInterpolation::exact}};
 
 auto count_between(int lo, int hi) {
   return [lo, hi](const std::string& option, const std::string& text) {
@@ -42,7 +44,7 @@ void fill_in_thesis(SweepOptions& options) {
     options.settings.radius_sigma_f = 4;
   if (!options.sigma) options.sigma = Length::um(65.0 / 4);  // 4 sigma_s = 65 um
   if (!options.model) options.model = SurfaceModel::periodic;
-  if (!options.quantity) options.quantity = Quantity::power;
+  if (!options.optics.quantity) options.optics.quantity = Quantity::power;
 }
 
 void require_consistent(const SweepOptions& options, const evaluation::Method& method) {
@@ -59,27 +61,65 @@ void require_consistent(const SweepOptions& options, const evaluation::Method& m
   if (options.settings.terms) require_knob("--terms", evaluation::Knob::terms);
   if (options.settings.radius_sigma_f)
     require_knob("--window-radius", evaluation::Knob::window_radius);
+  if (options.settings.interpolation)
+    require_knob("--interpolation", evaluation::Knob::interpolation);
   if (options.tolerance && !(*options.tolerance > 0 && *options.tolerance < 1))
     refuse("--tolerance " + brdf::text(*options.tolerance) + ": must lie between 0 and 1");
   if (options.replicas && *options.model != SurfaceModel::replicated)
     refuse("--replicas goes with --surface replicated, not " +
            std::string(evaluation::name_of(*options.model)));
-  if (options.json && options.output.empty() && !options.explain)
-    refuse("--json needs -o: both would go to standard output");
+}
+
+/// What is asked of a diffraction amplitude means nothing to a model without one.
+void require_geometric(const SweepOptions& options) {
+  const std::pair<bool, const char*> given[] = {
+      {options.preset == Preset::thesis, "--preset thesis"},
+      {options.settings.terms.has_value(), "--terms"},
+      {options.settings.radius_sigma_f.has_value(), "--window-radius"},
+      {options.settings.interpolation.has_value(), "--interpolation"},
+      {options.tolerance.has_value(), "--tolerance"},
+      {options.sigma.has_value(), "--sigma"},
+      {options.model.has_value(), "--surface"},
+      {options.replicas.has_value(), "--replicas"},
+      {options.audit.has_value(), "--audit"},
+      {options.explain, "--explain"},
+      {options.selection.orders_only, "--orders-only"},
+      {options.optics.shadowing.has_value(), "--shadowing"}};
+  for (const auto& [is_given, option] : given)
+    if (is_given)
+      throw brdf::Error(brdf::Errc::invalid_argument,
+                        std::string(option) + " has no meaning for --method " + *options.method +
+                            ", which knows no diffraction");
+  const auto quantity = options.optics.quantity;
+  if (quantity == Quantity::power || quantity == Quantity::relative)
+    throw brdf::Error(brdf::Errc::invalid_argument,
+                      "--quantity " + name_in(quantity_choices, *quantity) +
+                          " has no meaning for --method " + *options.method +
+                          ", which knows no diffraction; it has brdf and radiance");
 }
 
 }  // namespace
 
 void SweepOptions::resolve() {
+  if (json && output.empty() && !explain)
+    throw brdf::Error(brdf::Errc::invalid_argument,
+                      "--json needs -o: both would go to standard output");
   if (preset == Preset::thesis) fill_in_thesis(*this);
   // Who gives the knobs of the Taylor series means the Taylor series.
   if (!method) method = settings.terms || settings.radius_sigma_f ? "taylor" : "auto";
-  if (replicas && !model) model = SurfaceModel::replicated;
-  const evaluation::Method& chosen = evaluation::method_named(*method);
-  model = surface_model(chosen, model);
-  require_consistent(*this, chosen);
   selection.require_consistent();
-  if (!quantity) quantity = Quantity::relative;
+  geometric.require_consistent(*method, optics);
+  if (is_geometric()) {
+    require_geometric(*this);
+    if (!optics.quantity) optics.quantity = Quantity::brdf;
+  } else {
+    const evaluation::Method& chosen = evaluation::method_named(*method);
+    if (replicas && !model) model = SurfaceModel::replicated;
+    model = surface_model(chosen, model);
+    require_consistent(*this, chosen);
+    if (!optics.quantity) optics.quantity = Quantity::relative;
+  }
+  optics.require_consistent();
 }
 
 evaluation::SweepRequest SweepOptions::request() const {
@@ -126,26 +166,26 @@ void add_scene(CLI::App* sweep, SweepOptions& options) {
         return parse_count_pair(option, text, 1, 1000000);
       },
       "copies of the patch side by side, evenly lit, for --surface replicated", "N[,N]");
-  add_choice(sweep, "--quantity", options.quantity, quantity_choices,
-             "abs(a)^2, relative reflectance (default), BRDF in 1/sr, or radiance per intensity of "
-             "the light in 1/sr");
 }
 
 void add_method(CLI::App* sweep, SweepOptions& options) {
   std::string names;
   for (const evaluation::Method& method : evaluation::methods())
     names.append(names.empty() ? "" : "|").append(method.name);
+  names += "|" + GeometricOptions::names();
   sweep
       ->add_option("--method", options.method,
                    "how the amplitude is computed (default auto; taylor where its --terms or "
-                   "--window-radius are given)")
+                   "--window-radius are given), or a model without diffraction")
       ->type_name(names);
   add_parsed(sweep, "--tolerance", options.tolerance, parse_number,
              "largest error of the amplitude, flat patch's peak = 1 (default 1e-6)", "NUMBER");
   add_parsed(sweep, "--terms", options.settings.terms, count_between(1, 2000),
-             "taylor: number of terms, powers 0 to N-1", "N");
+             "taylor, pq: number of terms, powers 0 to N-1", "N");
   add_parsed(sweep, "--window-radius", options.settings.radius_sigma_f, parse_number,
              "taylor: neighbouring bins kept, in sigma_f (default 6, or by --tolerance)", "NUMBER");
+  add_choice(sweep, "--interpolation", options.settings.interpolation, interpolation_choices,
+             "pq: between the bins of the tile's transform (default exact)");
   add_choice(sweep, "--preset", options.preset, preset_choices,
              "thesis: the sources' own evaluator, with its conventions");
   add_parsed(sweep, "--audit", options.audit, count_between(0, 1000000),
@@ -175,7 +215,9 @@ void SweepOptions::add_to(CLI::App* sweep) {
   heights.add_to(sweep);
   add_scene(sweep, *this);
   add_method(sweep, *this);
+  optics.add_to(sweep);
   selection.add_to(sweep);
+  geometric.add_to(sweep);
   add_run(sweep, *this);
 }
 

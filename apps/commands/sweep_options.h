@@ -6,10 +6,11 @@
 #include <optional>
 #include <string>
 
+#include "apps/commands/geometric_options.h"
+#include "apps/commands/optics_options.h"
 #include "apps/commands/selection_options.h"
 #include "apps/console.h"
 #include "apps/options.h"
-#include "brdf/gain.h"
 #include "brdf/surface.h"
 #include "evaluation/methods.h"
 #include "evaluation/sweep.h"
@@ -22,7 +23,6 @@ enum class Preset {
   thesis,  ///< the sources' own evaluator
 };
 
-extern const Choices<brdf::Quantity> quantity_choices;
 extern const Choices<evaluation::CsvLayout> layout_choices;
 extern const Choices<Preset> preset_choices;
 
@@ -38,7 +38,8 @@ struct SweepOptions {
   std::optional<brdf::Length> sigma;
   std::optional<brdf::SurfaceModel> model;
   std::optional<std::pair<int, int>> replicas;
-  std::optional<brdf::Quantity> quantity;
+  OpticsOptions optics;
+  GeometricOptions geometric;
   SelectionOptions selection;
   evaluation::CsvLayout layout = evaluation::CsvLayout::matrix;
   Preset preset = Preset::physical;
@@ -52,6 +53,8 @@ struct SweepOptions {
   /// Fills in what a preset and the options together leave open, and refuses combinations that
   /// have no meaning.
   void resolve();
+  /// Whether the method is one without diffraction.
+  bool is_geometric() const { return GeometricOptions::has(*method); }
 
   Attainability attainability() const {
     return strict ? Attainability::refuse : Attainability::warn;
