@@ -27,5 +27,7 @@ void tolerances_and_threads(RatioTable& table);
 void query_rates(RatioTable& table);
 void growth_with_the_patch(RatioTable& table);
 void growth_with_the_depth(RatioTable& table);
+/// The bands around the orders alone (Nmin/Nmax) against all cells of the same plan.
+void orders_only(RatioTable& table);
 
 }  // namespace benchmarks

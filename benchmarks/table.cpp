@@ -46,6 +46,7 @@ int main() {
   benchmarks::query_rates(table);
   benchmarks::growth_with_the_patch(table);
   benchmarks::growth_with_the_depth(table);
+  benchmarks::orders_only(table);
   benchmarks::against_the_direct_sum(table);
   std::printf("Share of a processor that this thread had: %.0f %%.\n",
               100 * processor.seconds() / wall.seconds());
