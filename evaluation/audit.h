@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include "evaluation/cell_selection.h"
+#include "evaluation/methods.h"
 #include "evaluation/sweep.h"
 
 namespace evaluation {
@@ -14,11 +16,11 @@ struct Audit {
   double lambda_nm, theta_r_deg;
 };
 
-/// Holds `cells` cells of the request against the direct sum.
+/// Holds `wanted` of the evaluated cells against the direct sum.
 ///
-/// The cells follow the golden-ratio sequence over the matrix: spread evenly, the same in every
+/// The cells follow the golden-ratio sequence over the selection: spread evenly, the same in every
 /// run. Cost: one direct sum each. An error that is no number counts as infinite.
-Audit audit(const SweepRequest& request, const brdf::Surface& surface, const Amplitude& amplitude,
-            std::size_t cells, const RunLimits& limits);
+Audit audit(const SweepRequest& request, const CellSelection& cells, const brdf::Surface& surface,
+            const Amplitude& amplitude, std::size_t wanted, const RunLimits& limits);
 
 }  // namespace evaluation

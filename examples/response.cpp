@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "brdf/synthetic_profile.h"
+#include "evaluation/diffraction.h"
 #include "evaluation/period_fit.h"
 #include "evaluation/sweep.h"
 
@@ -22,7 +23,7 @@ int main() {
   const evaluation::Method& taylor = evaluation::method_named("taylor");
   const auto plan = taylor.plan(surface, bounds_of(request, 1e-6), {});
   const evaluation::ResponseMatrix response =
-      sweep(request, *plan, coherence_area_um2(surface), {});
+      sweep(request, evaluation::Diffraction(*plan, {}), {});
 
   evaluation::PlaneOfIncidence plane =
       evaluation::plane_of_incidence(request.theta_i, request.phi_i, request.phi_r);

@@ -8,6 +8,7 @@
 #include "apps/commands/commands.h"
 #include "apps/commands/sweep_options.h"
 #include "evaluation/audit.h"
+#include "evaluation/diffraction.h"
 
 namespace apps {
 namespace {
@@ -94,7 +95,7 @@ Json parameters_json(const SweepOptions& options, const evaluation::SweepRequest
   else
     p["tolerance"] = options.tolerance.value_or(default_tolerance);
   if (report.radius_sigma_f > 0) p["window_radius_sigma_f"] = report.radius_sigma_f;
-  p["quantity"] = name_in(quantity_choices, request.quantity);
+  p["quantity"] = name_in(quantity_choices, *options.quantity);
   p["layout"] = name_in(layout_choices, options.layout);
   p["strict"] = options.strict;
   return p;
@@ -118,13 +119,13 @@ std::string for_people(const Json& plan, const std::string& prefix = "") {
 
 /// After the run: a sample of cells against the direct sum. Nothing to learn from auditing the
 /// direct sum by itself.
-Json audited(const evaluation::SweepRequest& request, const brdf::Surface& surface,
-             const evaluation::Amplitude& amplitude, const evaluation::RunLimits& limits,
-             const SweepOptions& options) {
+Json audited(const evaluation::SweepRequest& request, const evaluation::CellSelection& selected,
+             const brdf::Surface& surface, const evaluation::Amplitude& amplitude,
+             const evaluation::RunLimits& limits, const SweepOptions& options) {
   const int wanted = *options.method == "direct" ? 0 : options.audit.value_or(default_audit);
-  const std::size_t cells = std::min(static_cast<std::size_t>(wanted), request.cells());
+  const std::size_t cells = std::min(static_cast<std::size_t>(wanted), selected.size());
   if (cells == 0) return {{"cells", 0}};
-  const evaluation::Audit found = audit(request, surface, amplitude, cells, limits);
+  const evaluation::Audit found = audit(request, selected, surface, amplitude, cells, limits);
   // What the bound owned up to has been said before the run.
   if (!(found.worst_error <= amplitude.report().error_bound))
     check_error("the error found by the audit", found.worst_error, options);
@@ -155,8 +156,10 @@ void run(SweepOptions options) {
   }
 
   check_sampling(request, field, options);
-  // The matrix, and its CSV at about 24 bytes a number.
-  const std::size_t response_bytes = request.cells() * (sizeof(double) + 24);
+  // The matrix, its CSV at about 24 bytes a number, and where each selected cell lies.
+  const std::size_t response_bytes =
+      request.cells() *
+      (sizeof(double) + 24 + (options.selection.orders_only ? sizeof(std::size_t) : 0));
   require_memory(method.bytes(surface, bounds, options.settings) + response_bytes +
                      static_cast<std::size_t>(field.heights_um().size()) * sizeof(double),
                  options);
@@ -167,15 +170,20 @@ void run(SweepOptions options) {
   evaluation::RunLimits limits;
   limits.threads = options.settings.threads;
   if (options.time_limit) limits.time = {start, *options.time_limit};
+  const evaluation::CellSelection cells = options.selection.cells(request, surface);
+  const evaluation::Diffraction diffraction(
+      *amplitude, {*options.quantity, coherence_area_um2(surface)}, request.depth);
   const evaluation::ResponseMatrix response = brdf::at_place(options.heights.file, [&] {
-    return sweep(request, *amplitude, coherence_area_um2(surface), limits, progress_line("sweep"));
+    return sweep(request, diffraction, cells, limits, progress_line("sweep"));
   });
-  const Json audit = audited(request, surface, *amplitude, limits, options);
+  const Json audit = audited(request, cells, surface, *amplitude, limits, options);
   const std::string csv = to_csv(response, options.layout);
   if (!output) return print(csv);
 
   Json sidecar = sidecar_head("sweep", options.heights.file, input.sha256);
   sidecar["parameters"] = parameters_json(options, request, surface, report);
+  if (options.selection.orders_only)
+    sidecar["parameters"]["orders_only"] = options.selection.parameters(request, surface, cells);
   sidecar["error"] = {{"amplitude_bound", report.error_bound},
                       {"audit", audit},
                       {"input_phase_error_rad", report.input_phase_error_rad},

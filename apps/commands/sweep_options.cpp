@@ -5,6 +5,7 @@
 
 #include "apps/quantities.h"
 #include "brdf/error.h"
+#include "evaluation/sweep.h"
 
 namespace apps {
 
@@ -71,13 +72,13 @@ void SweepOptions::resolve() {
   const evaluation::Method& chosen = evaluation::method_named(*method);
   model = surface_model(chosen, model);
   require_consistent(*this, chosen);
+  selection.require_consistent();
   if (!quantity) quantity = Quantity::relative;
 }
 
 evaluation::SweepRequest SweepOptions::request() const {
   evaluation::SweepRequest request{*theta_i, phi_i, phi_r.value_or(phi_i), *lambda_nm,
                                    *theta_r_deg};
-  request.quantity = *quantity;
   if (preset == Preset::thesis) request.depth = evaluation::DepthFrequency::unit_w;
   evaluation::require_valid(request);
   return request;
@@ -167,6 +168,7 @@ void SweepOptions::add_to(CLI::App* sweep) {
   heights.add_to(sweep);
   add_scene(sweep, *this);
   add_method(sweep, *this);
+  selection.add_to(sweep);
   add_run(sweep, *this);
 }
 

@@ -6,8 +6,10 @@
 #include <optional>
 #include <string>
 
+#include "apps/commands/selection_options.h"
 #include "apps/console.h"
 #include "apps/options.h"
+#include "brdf/gain.h"
 #include "brdf/surface.h"
 #include "evaluation/methods.h"
 #include "evaluation/sweep.h"
@@ -37,6 +39,7 @@ struct SweepOptions {
   std::optional<brdf::SurfaceModel> model;
   std::optional<std::pair<int, int>> replicas;
   std::optional<brdf::Quantity> quantity;
+  SelectionOptions selection;
   evaluation::CsvLayout layout = evaluation::CsvLayout::matrix;
   Preset preset = Preset::physical;
   std::optional<int> audit;

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "tests/cli/gratings.h"
+#include "tests/cli/refusal.h"
 
 namespace {
 
@@ -98,4 +99,37 @@ TEST_CASE("the picture is the same in every run", "[cli][plot][invariant]") {
   folder.prepare("plot R.csv -o B.png");
   const bool same = folder.read("A.png") == folder.read("B.png");
   CHECK(same);
+}
+
+TEST_CASE("several responses are drawn at one wavelength", "[cli][plot]") {
+  const Scratch folder;
+  make_response(folder);
+  folder.prepare("sweep g.gsf" + small_scene + " --replicas 3,1 -o three.csv");
+  for (const std::string scale : {"", " --scale linear", " --scale log"}) {
+    const Outcome outcome = folder.shedlight("plot R.csv three.csv --cut 500nm -o cut.png" + scale);
+    INFO(outcome.err);
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.err == "");
+    check_picture(folder.read("cut.png"));
+  }
+  // Another curve, another scale: another picture.
+  folder.prepare("plot R.csv --cut 500nm -o one.png");
+  folder.prepare("plot R.csv --cut 500nm --scale log -o log.png");
+  const std::string one = folder.read("one.png");
+  CHECK((one != folder.read("log.png")));
+  CHECK((one != folder.read("cut.png")));
+}
+
+TEST_CASE("a cut that cannot be drawn is refused", "[cli][plot][refusal]") {
+  const Scratch folder;
+  make_response(folder);
+  folder.prepare("sweep g.gsf" + small_scene + " --quantity power -o power.csv");
+  check_refused(folder, "plot R.csv power.csv -o older.csv", 2, {"--cut"});
+  check_refused(folder, "plot R.csv --scale log -o older.csv", 2, {"--scale", "--cut"});
+  check_refused(folder, "plot R.csv --cut 300nm -o older.csv", 2, {"300", "R.csv", "400"});
+  check_refused(folder, "plot R.csv --cut 500 -o older.csv", 2, {"--cut", "unit"});
+  check_refused(folder, "plot R.csv power.csv --cut 500nm -o older.csv", 3,
+                {"power.csv", "abs(a)^2", "relative reflectance"});
+  check_refused(folder, "plot R.csv missing.csv --cut 500nm -o older.csv", 3, {"missing.csv"});
+  check_refused(folder, "plot R.csv power.csv --cut 500nm -o power.csv", 2, {"power.csv"});
 }

@@ -50,14 +50,15 @@ TEST_CASE("an audit of every cell finds a single wrong one and says where it is"
   // The golden-ratio sequence visits 12 cells within 21 steps (the next Fibonacci number but one).
   const std::size_t enough = 21;
 
-  CHECK(audit(request, surface, *right, enough, {}).worst_error == 0);
+  const auto cells = evaluation::CellSelection::all(request);
+  CHECK(audit(request, cells, surface, *right, enough, {}).worst_error == 0);
   const evaluation::Audit found =
-      audit(request, surface, WrongInOneCell(*right, where, 1e-3), enough, {2, {}});
+      audit(request, cells, surface, WrongInOneCell(*right, where, 1e-3), enough, {2, {}});
   CHECK(std::abs(found.worst_error - 1e-3) <= 1e-15);
   CHECK(found.lambda_nm == 500);
   CHECK(found.theta_r_deg == -40);
   CHECK(found.cells == enough);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK(std::isinf(
-      audit(request, surface, WrongInOneCell(*right, where, nan), enough, {}).worst_error));
+      audit(request, cells, surface, WrongInOneCell(*right, where, nan), enough, {}).worst_error));
 }

@@ -9,6 +9,7 @@
 
 #include "brdf/direct_sum.h"
 #include "brdf/synthetic_profile.h"
+#include "evaluation/diffraction.h"
 #include "evaluation/kernels/phase_sum.h"
 #include "evaluation/parallel.h"
 
@@ -16,6 +17,8 @@ namespace {
 
 using brdf::Angle;
 using brdf::Length;
+using evaluation::CellSelection;
+using evaluation::Diffraction;
 using evaluation::SweepRequest;
 
 brdf::HeightField small_blaze() {
@@ -49,13 +52,12 @@ bool same_bits(const brdf::HeightArray& a, const brdf::HeightArray& b) {
 
 TEST_CASE("a cell of the sweep is the gain times the power of its own query", "[invariant]") {
   Prepared prepared;
-  SweepRequest request = small_request();
+  const SweepRequest request = small_request();
   const auto plan = prepared.plan(request, "direct");
   const double area_um2 = coherence_area_um2(prepared.surface);
   for (const auto quantity :
        {brdf::Quantity::power, brdf::Quantity::relative, brdf::Quantity::brdf}) {
-    request.quantity = quantity;
-    const auto response = sweep(request, *plan, area_um2, {});
+    const auto response = sweep(request, Diffraction(*plan, {quantity, area_um2}), {});
     for (const std::size_t row : {0u, 2u})
       for (const std::size_t column : {0u, 4u}) {
         const auto wi = brdf::direction(Angle::deg(75), Angle::deg(20));
@@ -86,10 +88,10 @@ TEST_CASE("the sweep is bit-identical for any number of threads", "[invariant]")
     CAPTURE(method);
     const auto plan = prepared.plan(request, method);
     evaluation::RunLimits limits;
-    const auto one = sweep(request, *plan, 1, limits);
+    const auto one = sweep(request, Diffraction(*plan, {}), limits);
     for (const int threads : {2, 3, 16}) {
       limits.threads = threads;
-      CHECK(same_bits(one.values, sweep(request, *plan, 1, limits).values));
+      CHECK(same_bits(one.values, sweep(request, Diffraction(*plan, {}), limits).values));
     }
   }
 }
@@ -136,9 +138,9 @@ TEST_CASE("a sweep past its time limit is refused and one before it is not", "[i
   evaluation::RunLimits limits;
   const auto now = std::chrono::steady_clock::now();
   limits.time = {now - std::chrono::seconds(2), std::chrono::seconds(1)};
-  CHECK_THROWS_WITH(sweep(request, *plan, 1, limits), Catch::Contains("time limit"));
+  CHECK_THROWS_WITH(sweep(request, Diffraction(*plan, {}), limits), Catch::Contains("time limit"));
   limits.time = {now, std::chrono::hours(1)};
-  CHECK_NOTHROW(sweep(request, *plan, 1, limits));
+  CHECK_NOTHROW(sweep(request, Diffraction(*plan, {}), limits));
 }
 
 TEST_CASE("directions and wavelengths outside their range are refused by name", "[invariant]") {
@@ -212,4 +214,56 @@ TEST_CASE("in the plane of incidence, and there only, the queries lie on the lin
   CHECK_FALSE(bounds_of(request, 1e-6).line);
   request.theta_i = Angle::deg(0);
   CHECK(bounds_of(request, 1e-6).line);
+}
+
+TEST_CASE("selected cells have the bits of the full sweep, the others are 0", "[invariant]") {
+  Prepared prepared;
+  SweepRequest request = small_request();
+  request.phi_i = request.phi_r = Angle::deg(0);
+  request.theta_r_deg.values.clear();
+  for (int i = 0; i < 300; ++i) request.theta_r_deg.values.push_back(-80 + 0.5 * i);
+  const brdf::OrderBands bands(prepared.surface, {Length::nm(2500)}, 2);
+  const auto cells = CellSelection::within(bands, request);
+  std::vector<std::vector<bool>> selected(3, std::vector<bool>(300, false));
+  for (std::size_t i = 0; i < cells.size(); ++i) selected[cells[i].row][cells[i].column] = true;
+  for (const char* method : {"direct", "taylor", "auto", "chebyshev"}) {
+    CAPTURE(method);
+    const auto plan = prepared.plan(request, method);
+    const Diffraction diffraction(*plan, {});
+    const auto full = sweep(request, diffraction, {});
+    const auto some = sweep(request, diffraction, cells, {2, {}});
+    std::size_t zeros = 0, equal = 0;
+    for (std::size_t row = 0; row < 3; ++row)
+      for (std::size_t column = 0; column < 300; ++column) {
+        const auto i = static_cast<Eigen::Index>(row), j = static_cast<Eigen::Index>(column);
+        if (selected[row][column])
+          equal += some.values(i, j) == full.values(i, j);
+        else
+          zeros += some.values(i, j) == 0;
+      }
+    CHECK(equal == cells.size());
+    CHECK(zeros == request.cells() - cells.size());
+  }
+}
+
+TEST_CASE("the selection is that of the bands, cell by cell", "[invariant]") {
+  Prepared prepared;
+  const SweepRequest request = small_request();
+  const brdf::OrderBands bands(prepared.surface, {Length::nm(2500), {}, Angle::deg(20)}, 0.5);
+  const auto cells = CellSelection::within(bands, request);
+  std::size_t next = 0;
+  for (std::size_t row = 0; row < 3; ++row) {
+    const auto queries = queries_of_row(request, row);
+    for (std::size_t column = 0; column < queries.size(); ++column) {
+      if (!bands.contains(queries[column])) continue;
+      REQUIRE(next < cells.size());
+      CHECK(cells[next].row == row);
+      CHECK(cells[next].column == column);
+      ++next;
+    }
+  }
+  CHECK(next == cells.size());
+  CHECK(next > 0);
+  CHECK(next < request.cells());
+  CHECK(CellSelection::all(request).size() == request.cells());
 }

@@ -4,6 +4,7 @@
 
 #include "brdf/surface.h"
 #include "brdf/synthetic_profile.h"
+#include "evaluation/diffraction.h"
 #include "evaluation/methods.h"
 #include "evaluation/period_fit.h"
 #include "evaluation/sweep.h"
@@ -25,7 +26,7 @@ int main() {
   const auto plan =
       evaluation::method_named("taylor").plan(surface, evaluation::bounds_of(request, 1e-6), {});
   const evaluation::ResponseMatrix response =
-      evaluation::sweep(request, *plan, brdf::coherence_area_um2(surface), {});
+      evaluation::sweep(request, evaluation::Diffraction(*plan, {}), {});
   const evaluation::PlaneOfIncidence plane =
       evaluation::plane_of_incidence(request.theta_i, request.phi_i, request.phi_r);
   const auto peaks = evaluation::find_peaks(

@@ -24,8 +24,7 @@ struct ResponsePicture {
 /// The bytes of a PNG: a heat map with peaks and fitted grating equation, and the period
 /// wavelength by wavelength below.
 ///
-/// gnuplot runs on a script of its own, without a shell; titles never reach it as commands. Throws
-/// Errc::cannot_write where gnuplot is missing or fails.
+/// Throws Errc::cannot_write where gnuplot is missing or fails.
 std::string draw_png(const ResponsePicture& picture);
 
 }  // namespace apps

@@ -1,0 +1,36 @@
+// The options of `shedlight sweep` that leave out cells: Nmin/Nmax for a known period.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <utility>
+
+#include "brdf/order_range.h"
+#include "evaluation/cell_selection.h"
+#include "evaluation/writers/output_file.h"
+
+namespace apps {
+
+struct SelectionOptions {
+  bool orders_only = false;
+  std::optional<std::pair<brdf::Length, brdf::Length>> period;  ///< along the vector, across it
+  std::optional<brdf::Angle> azimuth;
+  std::optional<double> radius;
+
+  void add_to(CLI::App* sweep);
+  /// Refuses the period without --orders-only, and --orders-only without the period.
+  void require_consistent() const;
+  /// All cells, or those near the orders; the number is said on standard error.
+  evaluation::CellSelection cells(const evaluation::SweepRequest& request,
+                                  const brdf::Surface& surface) const;
+  /// For the sidecar; null where all cells are evaluated.
+  evaluation::Json parameters(const evaluation::SweepRequest& request, const brdf::Surface& surface,
+                              const evaluation::CellSelection& cells) const;
+
+ private:
+  brdf::OrderBands::Lattice lattice(const evaluation::SweepRequest& request) const;
+  brdf::OrderBands bands(const evaluation::SweepRequest& request,
+                         const brdf::Surface& surface) const;
+};
+
+}  // namespace apps

@@ -1,0 +1,104 @@
+#include "apps/response_picture.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "apps/gnuplot.h"
+#include "brdf/grating_equation.h"
+
+namespace apps {
+namespace {
+
+using evaluation::Peak;
+
+/// The heat map on a logarithmic scale: four decades below the maximum, darker cells at its end.
+std::vector<std::vector<double>> logarithmic(const evaluation::ResponseMatrix& response,
+                                             double floor) {
+  std::vector<std::vector<double>> rows;
+  for (const auto& row : response.values.rowwise()) {
+    std::vector<double>& values = rows.emplace_back();
+    for (const double value : row) values.push_back(std::log10(std::max(value, floor)));
+  }
+  return rows;
+}
+
+/// The angles of the fitted period, per wavelength where the order is visible.
+std::vector<std::pair<double, double>> fitted_curve(const ResponsePicture& picture) {
+  std::vector<std::pair<double, double>> curve;
+  for (const double lambda_nm : picture.response->lambda_nm.values)
+    if (const auto angle =
+            brdf::viewing_angle(picture.order, brdf::Length::nm(picture.fit->period_nm),
+                                brdf::Length::nm(lambda_nm), picture.plane.theta_i))
+      curve.emplace_back(picture.plane.light_side * angle->deg(), lambda_nm);
+  return curve;
+}
+
+void heat_map(Gnuplot& gp, const ResponsePicture& picture, const TemporaryFolder& folder) {
+  const evaluation::ResponseMatrix& response = *picture.response;
+  const double brightest = response.values.maxCoeff();
+  const double floor = brightest > 0 ? brightest * 1e-4 : 1e-300;
+  const auto [x0, dx] = grid(response.theta_r_deg);
+  const auto [y0, dy] = grid(response.lambda_nm);
+  set_range(gp, "xrange", response.theta_r_deg);
+  set_range(gp, "yrange", response.lambda_nm);
+  gp << "set xlabel 'viewing angle theta_r [deg], positive on the "
+     << (picture.plane.light_side > 0 ? "light''s side" : "side opposite to the light")
+     << "'\nset ylabel 'wavelength [nm]'\n";
+  gp << "set cblabel " << quoted("log10 of " + picture.value_label) << "\n";
+  gp << fmt::format("set cbrange [{:.17g}:{:.17g}]\n", std::log10(floor),
+                    std::log10(std::max(brightest, floor * 10)));
+  gp << "plot " << gp.binFile2d(logarithmic(response, floor), "array", folder.file("map.bin"))
+     << fmt::format(" origin=({:.17g},{:.17g}) dx={:.17g} dy={:.17g} with image notitle", x0, y0,
+                    dx, dy);
+  std::vector<std::pair<double, double>> points;
+  for (const Peak& peak : picture.peaks)
+    if (peak.theta_r_deg) points.emplace_back(*peak.theta_r_deg, peak.lambda_nm);
+  if (!points.empty())
+    gp << ", " << series(gp, points, folder.file("peaks.bin"))
+       << " with points pt 7 ps 0.35 lc rgb 'black' title 'peak of each wavelength'";
+  if (picture.fit) {
+    const auto curve = fitted_curve(picture);
+    if (!curve.empty())
+      gp << ", " << series(gp, curve, folder.file("fit.bin"))
+         << " with lines lw 2 dt 2 lc rgb '#0060ff' title "
+         << quoted(fmt::format("grating equation, order {:+d}, d = {:.2f} nm", picture.order,
+                               picture.fit->period_nm));
+  }
+  gp << "\n";
+}
+
+/// Period of each peak, with the fit and its outliers.
+void period_panel(Gnuplot& gp, const ResponsePicture& picture, const TemporaryFolder& folder) {
+  std::vector<std::pair<double, double>> periods;
+  for (const Peak& peak : picture.peaks)
+    if (peak.theta_r_deg)
+      if (const auto d = period_nm(picture.plane, picture.order, peak.lambda_nm, *peak.theta_r_deg))
+        periods.emplace_back(peak.lambda_nm, *d);
+  const double d = picture.fit->period_nm, error = picture.fit->std_error_nm;
+  gp << "set autoscale y\nset ylabel 'period of each peak [nm]'\nset xlabel 'wavelength [nm]'\n";
+  set_range(gp, "xrange", picture.response->lambda_nm);
+  gp << fmt::format("plot {:.17g} with lines lw 2 lc rgb '#0080c0' title ", d)
+     << quoted(fmt::format("fit {:.2f} nm, standard error {:.2g} nm", d, error)) << ", "
+     << series(gp, periods, folder.file("periods.bin"))
+     << " with points pt 7 ps 0.5 lc rgb '#c04000' title 'period of each peak'\n";
+}
+
+}  // namespace
+
+std::string draw_png(const ResponsePicture& picture) {
+  const PictureSize size{1200, picture.fit ? 1150 : 800};
+  return draw_png(size, [&](Gnuplot& gp, const TemporaryFolder& folder) {
+    gp << dark_to_light;
+    gp << "set key outside top center horizontal\nset tics out\n";
+    if (picture.fit) gp << "set multiplot\nset origin 0,0.3\nset size 1,0.7\n";
+    gp << "set title " << quoted(picture.title) << "\n";
+    heat_map(gp, picture, folder);
+    if (!picture.fit) return;
+    gp << "set origin 0,0\nset size 1,0.3\nunset title\nunset colorbox\n";
+    period_panel(gp, picture, folder);
+    gp << "unset multiplot\n";
+  });
+}
+
+}  // namespace apps
