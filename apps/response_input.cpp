@@ -37,7 +37,8 @@ std::optional<Angle> angle(const std::optional<Angle>& option, const Json& sidec
 double response_floor(const Json& sidecar) {
   const Json::json_pointer bound("/error/amplitude_bound");
   if (!sidecar.contains(bound) || !sidecar[bound].is_number()) return 0;
-  if (sidecar_text(sidecar, "/parameters/quantity", "") == "brdf") return 0;
+  const std::string quantity = sidecar_text(sidecar, "/parameters/quantity", "");
+  if (quantity == "brdf" || quantity == "radiance") return 0;
   const double error = sidecar[bound].get<double>();
   return error * error;
 }
@@ -99,11 +100,12 @@ void ResponseOptions::add_to(CLI::App* app) {
 
 ResponseInput ResponseOptions::read() const {
   const std::string bytes = evaluation::read_file_bytes(file);
+  const std::string sha256 = evaluation::sha256_hex(bytes);
   ResponseInput input{evaluation::response_from_csv(bytes, file),
                       {},
                       search,
-                      evaluation::read_sidecar(file, bytes),
-                      evaluation::sha256_hex(bytes)};
+                      evaluation::read_sidecar(file, sha256),
+                      sha256};
   const Json& sidecar = input.sidecar;
   const std::optional<Angle> incidence = angle(theta_i, sidecar, "theta_i_deg");
   if (!incidence)

@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "brdf/directions.h"
 #include "brdf/surface.h"
@@ -40,6 +41,17 @@ struct QueryBounds {
   std::optional<LineDirection> line = std::nullopt;
 
   double max_abs_c_per_um() const { return std::max(std::abs(lo.c_per_um), std::abs(hi.c_per_um)); }
+
+  /// Throws Errc::invalid_argument for a query outside the box, or one that is not a number.
+  void require_holds(const Query& q) const {
+    const bool within = lo.qx_per_um <= q.qx_per_um && q.qx_per_um <= hi.qx_per_um &&
+                        lo.qy_per_um <= q.qy_per_um && q.qy_per_um <= hi.qy_per_um &&
+                        lo.c_per_um <= q.c_per_um && q.c_per_um <= hi.c_per_um;
+    if (!within)
+      throw Error(Errc::invalid_argument, "query (" + text(q.qx_per_um) + ", " + text(q.qy_per_um) +
+                                              ", " + text(q.c_per_um) +
+                                              ") rad/um lies outside the bounds of its plan");
+  }
 };
 
 /// The smallest box around some queries. Throws Errc::invalid_argument where there are none or

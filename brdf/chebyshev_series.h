@@ -12,6 +12,7 @@
 
 #include "brdf/chebyshev_design.h"
 #include "brdf/chebyshev_table.h"
+#include "brdf/pq_factors.h"
 #include "brdf/query_order.h"
 
 namespace brdf {
@@ -36,8 +37,7 @@ class ChebyshevSeriesPlan {
     for (int index : {0, 1}) {
       const SurfaceAxis& axis = design.axis(index);
       const bool summed = parts_.axes[index].fft_length == 0 && !line_;
-      copies_[index] = {summed ? 1 : 1 + axis.last_copy - axis.first_copy,
-                        axis.pixel_um * static_cast<double>(axis.count)};
+      copies_[index] = {summed ? 1 : 1 + axis.last_copy - axis.first_copy, axis};
     }
     replicated_ = design.surface().model == SurfaceModel::replicated && !direct_;
   }
@@ -61,8 +61,8 @@ class ChebyshevSeriesPlan {
         amplitudes[i] *= line_->correction(queries[i]);
     if (replicated_)
       for (std::size_t i = 0; i < queries.size(); ++i)
-        amplitudes[i] *= array_factor(copies_[0], queries[i].qx_per_um) *
-                         array_factor(copies_[1], queries[i].qy_per_um);
+        amplitudes[i] *=
+            copies_[0].factor(queries[i].qx_per_um) * copies_[1].factor(queries[i].qy_per_um);
   }
 
   PlanReport report() const { return report_; }
@@ -71,28 +71,13 @@ class ChebyshevSeriesPlan {
  private:
   struct Copies {
     int count = 1;
-    double length_um = 0;
+    SurfaceAxis axis{};
+
+    double factor(double q_per_um) const { return pq_factor(axis.cycles(q_per_um), count); }
   };
 
-  /// Mean of exp(i q x) over copies placed symmetrically, sin(n pi nu) / (n sin(pi nu)) with
-  /// nu = q L / 2 pi (Thesis 1.50), reduced in cycles so that it holds at every order (Errata E3).
-  static double array_factor(const Copies& copies, double q_per_um) {
-    const double cycles = q_per_um * copies.length_um / (2 * pi);
-    const double order = std::round(cycles), angle = pi * (cycles - order);
-    const double sign = std::fmod(std::abs(order) * (copies.count - 1), 2) == 0 ? 1 : -1;
-    if (copies.count == 1 || angle == 0) return sign;
-    return sign * std::sin(copies.count * angle) / (copies.count * std::sin(angle));
-  }
-
   void require_within_bounds(const Query& q) const {
-    const Query &lo = bounds_.lo, &hi = bounds_.hi;
-    const bool within = lo.qx_per_um <= q.qx_per_um && q.qx_per_um <= hi.qx_per_um &&
-                        lo.qy_per_um <= q.qy_per_um && q.qy_per_um <= hi.qy_per_um &&
-                        lo.c_per_um <= q.c_per_um && q.c_per_um <= hi.c_per_um;
-    if (!within)
-      throw Error(Errc::invalid_argument, "query (" + text(q.qx_per_um) + ", " + text(q.qy_per_um) +
-                                              ", " + text(q.c_per_um) +
-                                              ") rad/um lies outside the bounds of its plan");
+    bounds_.require_holds(q);
     if (line_ && !line_->contains(q))
       throw Error(Errc::invalid_argument, "query (" + text(q.qx_per_um) + ", " + text(q.qy_per_um) +
                                               ") rad/um lies off the line of its plan");

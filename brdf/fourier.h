@@ -11,6 +11,7 @@
 #include <span>
 
 #include "brdf/error.h"
+#include "brdf/half_spectrum.h"
 
 namespace brdf {
 
@@ -72,13 +73,12 @@ class RealFourier2d {
 
   void transform() { fftw_execute(plan_.get()); }
 
-  /// F(j, l) for any integers. FFTW's real transform has the minus sign and stores half of it;
-  /// for real samples the plus sign is its conjugate, the other half its mirror.
-  std::complex<double> bin(long j, long l) const {
-    const long row = wrap(j, rows_), col = wrap(l, cols_);
-    if (col < half_cols()) return std::conj(half_[row * half_cols() + col]);
-    return half_[wrap(-row, rows_) * half_cols() + (cols_ - col)];
+  /// What the last transform left; valid until the next one.
+  HalfSpectrum spectrum() const {
+    return {{half_.get(), static_cast<std::size_t>(rows_) * half_cols()}, rows_, cols_};
   }
+
+  std::complex<double> bin(long j, long l) const { return spectrum().bin(j, l); }
 
   /// Bytes that an object for this grid takes.
   static std::size_t bytes(std::size_t rows, std::size_t cols) {
@@ -87,10 +87,6 @@ class RealFourier2d {
 
  private:
   long half_cols() const { return cols_ / 2 + 1; }
-  static long wrap(long index, long count) {
-    const long remainder = index % count;
-    return remainder < 0 ? remainder + count : remainder;
-  }
 
   int rows_, cols_;
   detail::FftwArray<double> samples_;

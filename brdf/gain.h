@@ -11,6 +11,7 @@ enum class Quantity {
   power,     ///< abs(a)^2, 1 at the peak of a flat patch
   relative,  ///< relative reflectance rho = C abs(a)^2
   brdf,      ///< absolute BRDF f_r [1/sr]
+  radiance,  ///< radiance per intensity of the light, L / I [1/sr]
 };
 
 /// Gain C of the relative reflectance rho = C abs(a)^2,
@@ -35,6 +36,17 @@ inline double brdf_gain(const Direction& omega_i, const Direction& omega_r, Leng
   const double lambda_um = wavelength.um();
   return (projection / w) * (projection / w) / (omega_i.z() * omega_r.z()) * coherence_area_um2 /
          (lambda_um * lambda_um);
+}
+
+/// Factor between abs(a)^2 and L / I [1/sr], the radiance per intensity of the light (its
+/// irradiance on a plane that faces it): L = f_r I cos theta_i, so
+/// (1 + omega_i . omega_r)^2 area / (lambda^2 w^2 cos theta_r) with F = 1 (Thesis 1.5, 1.10).
+///
+/// coherence_area_um2: as for `brdf_gain`.
+inline double radiance_gain(const Direction& omega_i, const Direction& omega_r, Length wavelength,
+                            double coherence_area_um2) {
+  const double lambda_um = wavelength.um();
+  return relative_gain(omega_i, omega_r) * coherence_area_um2 / (lambda_um * lambda_um);
 }
 
 }  // namespace brdf

@@ -5,6 +5,7 @@
 #include <complex>
 #include <span>
 
+#include "brdf/half_spectrum.h"
 #include "brdf/surface.h"
 
 namespace brdf {
@@ -21,7 +22,7 @@ class PeriodicBins {
   PeriodicBins(const GaussianWindow& window, const SurfaceAxis& axis, double radius_sigma_f)
       : window_(window),
         axis_(axis),
-        length_um_(axis.pixel_um * static_cast<double>(axis.count)),
+        length_um_(axis.length_um()),
         radius_bins_(radius_sigma_f * window.sigma_f_per_um() * length_um_) {
     double aliases = 0;
     const int reach =
@@ -48,13 +49,15 @@ class PeriodicBins {
     return norm_ * window_.spectral((position(q_per_um) - static_cast<double>(bin)) / length_um_);
   }
 
-  /// exp(-2 pi i j x0 / N), x0 the origin's pixel: moves the transform's origin there. The phase
-  /// is reduced in whole half-pixels before it meets pi.
+  /// The weights of the bins from first to last, in that order.
+  void weights(double q_per_um, std::span<double> weights) const {
+    long bin = first(q_per_um);
+    for (double& w : weights) w = weight(q_per_um, bin++);
+  }
+
+  /// Moves the transform's origin to the surface's.
   std::complex<double> origin_phase(long bin) const {
-    const long half_pixels = origin_half_pixels();
-    const long turn = 2 * static_cast<long>(axis_.count);
-    const long reduced = (bin % turn) * half_pixels % turn;
-    return std::polar(1.0, -2 * pi * static_cast<double>(reduced) / static_cast<double>(turn));
+    return brdf::origin_phase(bin, origin_half_pixels(), axis_.count);
   }
 
   /// Bounds over all frequencies: sum of W^2 over all bins, and over those left out.
@@ -66,7 +69,7 @@ class PeriodicBins {
   bool origin_between_pixels() const { return origin_half_pixels() % 2 != 0; }
 
   /// Frequency in bins.
-  double position(double q_per_um) const { return q_per_um / (2 * pi) * length_um_; }
+  double position(double q_per_um) const { return axis_.cycles(q_per_um); }
 
   double energy_from(double start_bins) const {
     double energy = 0;

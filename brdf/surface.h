@@ -50,6 +50,10 @@ struct SurfaceAxis {
   double origin;              ///< pixel index where x = 0
   int first_copy, last_copy;  ///< repetitions: 0 to 0 for an isolated patch
 
+  double length_um() const { return pixel_um * static_cast<double>(count); }
+  /// Cycles that exp(i q x) makes along the patch: the place of q among its Fourier bins.
+  double cycles(double q_per_um) const { return q_per_um / (2 * pi) * length_um(); }
+
   /// x [um] of a pixel in the repetition `copy`.
   double position_um(Eigen::Index index, int copy = 0) const {
     return pixel_um * (static_cast<double>(index) - origin +

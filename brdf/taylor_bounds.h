@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 
 #include "brdf/amplitude.h"
 
@@ -25,13 +26,14 @@ inline double taylor_rounding_bound(double x) {
   return std::numeric_limits<double>::epsilon() / 2 * std::exp(std::abs(x));
 }
 
-/// Bound on the rounding of the frequency and of the gathered sum, for a spread sigma_um of the
-/// window: abs(da/dq) is at most the mean distance sqrt(2 / pi) sigma on each axis.
-inline double gather_rounding_bound(const QueryBounds& bounds, double sigma_um) {
+/// Bound on the rounding of the frequency and of the gathered weights; reach: largest
+/// abs(da/dq) along each axis [um], the mean distance from the origin of what is lit.
+inline double gather_rounding_bound(const QueryBounds& bounds, double x_reach_um,
+                                    double y_reach_um) {
   const auto largest = [](double lo, double hi) { return std::max(std::abs(lo), std::abs(hi)); };
-  const double q_per_um = largest(bounds.lo.qx_per_um, bounds.hi.qx_per_um) +
-                          largest(bounds.lo.qy_per_um, bounds.hi.qy_per_um);
-  return 4 * std::numeric_limits<double>::epsilon() * (1 + q_per_um * sigma_um);
+  const double phase = largest(bounds.lo.qx_per_um, bounds.hi.qx_per_um) * x_reach_um +
+                       largest(bounds.lo.qy_per_um, bounds.hi.qy_per_um) * y_reach_um;
+  return 4 * std::numeric_limits<double>::epsilon() * (1 + phase);
 }
 
 /// Fewest terms whose remainder is at most the tolerance, or nothing where more than `limit` are
@@ -43,6 +45,34 @@ inline std::optional<int> taylor_terms(double x, double tolerance, int limit) {
     if (bound <= tolerance && n >= std::abs(x)) return n;
   }
   return std::nullopt;
+}
+
+/// Most terms that a Taylor series may take: with x = 700 the terms overflow; 2000 of them reach
+/// past that.
+inline constexpr int max_taylor_terms = 2000;
+
+/// Throws Errc::invalid_argument where a number of terms is given that makes no series.
+inline void require_taylor_terms(const std::optional<int>& terms) {
+  if (terms && !(*terms >= 1 && *terms <= max_taylor_terms))
+    throw Error(Errc::invalid_argument, "terms " + std::to_string(*terms) +
+                                            " must lie between 1 and " +
+                                            std::to_string(max_taylor_terms));
+}
+
+/// The terms that are given, or the fewest whose remainder is at most half of the tolerance. Throws
+/// Errc::invalid_argument for a tolerance not above 0, Errc::not_attainable where more than
+/// max_taylor_terms would be needed.
+inline int taylor_terms(const Surface& surface, const QueryBounds& bounds,
+                        const std::optional<int>& given) {
+  if (given) return *given;
+  if (!(bounds.tolerance > 0))
+    throw Error(Errc::invalid_argument, "tolerance " + text(bounds.tolerance) + " must be > 0");
+  const double x = bounds.max_abs_c_per_um() * surface.heights->half_range_um();
+  if (const auto terms = taylor_terms(x, bounds.tolerance / 2, max_taylor_terms)) return *terms;
+  throw Error(Errc::not_attainable, "a Taylor series reaches tolerance " + text(bounds.tolerance) +
+                                        " at phase depth " + text(2 * x) +
+                                        " rad with no number of terms up to " +
+                                        std::to_string(max_taylor_terms));
 }
 
 }  // namespace brdf

@@ -14,6 +14,8 @@ double gain(const Optics& optics, const brdf::Direction& omega_i, const brdf::Di
       return brdf::relative_gain(omega_i, omega_r);
     case brdf::Quantity::brdf:
       return brdf::brdf_gain(omega_i, omega_r, wavelength, optics.coherence_area_um2);
+    case brdf::Quantity::radiance:
+      return brdf::radiance_gain(omega_i, omega_r, wavelength, optics.coherence_area_um2);
   }
   return 1;
 }

@@ -5,6 +5,7 @@
 
 #include "brdf/chebyshev_series.h"
 #include "brdf/direct_sum.h"
+#include "brdf/pq_series.h"
 #include "brdf/taylor_series.h"
 #include "evaluation/kernels/phase_sum.h"
 #include "evaluation/kernels/series_kernels.h"
@@ -89,6 +90,13 @@ Json explained(const brdf::TaylorSeries& method, const brdf::Surface& surface,
           {"window_radius_sigma_f", method.radius(surface, bounds)}};
 }
 
+Json explained(const brdf::PqSeries& method, const brdf::Surface& surface,
+               const brdf::QueryBounds& bounds) {
+  return {{"path", "2-D transforms of the powers of one tile's height, times PQ factors"},
+          {"terms", method.terms(surface, bounds)},
+          {"interpolation", evaluation::name_of(method.interpolation())}};
+}
+
 brdf::ChebyshevSeries chebyshev(const MethodSettings& settings, SmallRequests small_requests) {
   brdf::SeriesSettings series;
   series.small_requests = small_requests;
@@ -101,14 +109,14 @@ brdf::ChebyshevSeries chebyshev(const MethodSettings& settings, SmallRequests sm
 
 /// make: MethodSettings -> an AmplitudeMethod.
 template <class Make>
-Method row(std::string_view name, bool is_taylor, Make make) {
+Method row(std::string_view name, std::vector<Knob> knobs, Make make) {
   using MethodType = decltype(make(MethodSettings{}));
   std::vector<SurfaceModel> supported;
   std::copy_if(models.begin(), models.end(), std::back_inserter(supported),
                [](SurfaceModel model) { return MethodType::supports(model); });
   return {name,
           supported,
-          is_taylor,
+          std::move(knobs),
           [make](const brdf::Surface& surface, const brdf::QueryBounds& bounds,
                  const MethodSettings& settings) { return make(settings).bytes(surface, bounds); },
           [make](const brdf::Surface& surface, const brdf::QueryBounds& bounds,
@@ -126,32 +134,51 @@ Method row(std::string_view name, bool is_taylor, Make make) {
           }};
 }
 
+template <class Chosen>
+std::string names_of(Chosen chosen) {
+  std::string names;
+  for (const Method& method : methods())
+    if (chosen(method)) names.append(names.empty() ? "" : ", ").append(method.name);
+  return names;
+}
+
 }  // namespace
+
+bool Method::takes(Knob knob) const {
+  return std::find(knobs.begin(), knobs.end(), knob) != knobs.end();
+}
 
 std::span<const Method> methods() {
   static const std::array table{
-      row("direct", false,
+      row("direct", {},
           [](const MethodSettings&) { return brdf::DirectSum(vectorised_phase_kernels()); }),
-      row("auto", false,
+      row("auto", {},
           [](const MethodSettings& s) { return chebyshev(s, SmallRequests::by_direct_sum); }),
-      row("chebyshev", false,
+      row("chebyshev", {},
           [](const MethodSettings& s) { return chebyshev(s, SmallRequests::by_series); }),
-      row("taylor", true,
+      row("taylor", {Knob::terms, Knob::window_radius, Knob::power_spectra},
           [](const MethodSettings& s) {
-            return brdf::TaylorSeries({s.terms, s.radius_sigma_f});
+            return brdf::TaylorSeries({s.terms, s.radius_sigma_f, s.power_spectra});
+          }),
+      row("pq", {Knob::terms, Knob::interpolation, Knob::power_spectra},
+          [](const MethodSettings& s) {
+            return brdf::PqSeries({s.terms, s.interpolation.value_or(brdf::BinInterpolation::exact),
+                                   s.power_spectra});
           }),
   };
   return table;
 }
 
 const Method& method_named(std::string_view name) {
-  std::string names;
-  for (const Method& method : methods()) {
+  for (const Method& method : methods())
     if (method.name == name) return method;
-    names.append(names.empty() ? "" : ", ").append(method.name);
-  }
   throw brdf::Error(brdf::Errc::invalid_argument,
-                    "method \"" + std::string(name) + "\" is none of: " + names);
+                    "method \"" + std::string(name) +
+                        "\" is none of: " + names_of([](const Method&) { return true; }));
+}
+
+std::string methods_with(Knob knob) {
+  return names_of([knob](const Method& method) { return method.takes(knob); });
 }
 
 std::string_view name_of(SurfaceModel model) {
@@ -166,6 +193,20 @@ std::string_view name_of(SurfaceModel model) {
   return "?";
 }
 
+std::string_view name_of(brdf::BinInterpolation interpolation) {
+  switch (interpolation) {
+    case brdf::BinInterpolation::nearest:
+      return "nearest";
+    case brdf::BinInterpolation::linear:
+      return "linear";
+    case brdf::BinInterpolation::sinc:
+      return "sinc";
+    case brdf::BinInterpolation::exact:
+      return "exact";
+  }
+  return "?";
+}
+
 SurfaceModel surface_model(const Method& method, std::optional<SurfaceModel> wanted) {
   const auto has = [](const Method& candidate, SurfaceModel model) {
     return std::find(candidate.models.begin(), candidate.models.end(), model) !=
@@ -173,9 +214,8 @@ SurfaceModel surface_model(const Method& method, std::optional<SurfaceModel> wan
   };
   if (!wanted) return method.models.front();
   if (has(method, *wanted)) return *wanted;
-  std::string others;
-  for (const Method& candidate : methods())
-    if (has(candidate, *wanted)) others.append(others.empty() ? "" : ", ").append(candidate.name);
+  const std::string others =
+      names_of([&](const Method& candidate) { return has(candidate, *wanted); });
   throw brdf::Error(brdf::Errc::invalid_argument, "method " + std::string(method.name) +
                                                       " has no " + std::string(name_of(*wanted)) +
                                                       " surface; use --method " + others);

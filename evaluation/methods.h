@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "brdf/amplitude.h"
+#include "brdf/bin_interpolation.h"
+#include "brdf/power_spectra.h"
 #include "nlohmann/json.hpp"
 
 namespace evaluation {
@@ -24,10 +26,20 @@ class Amplitude {
   virtual brdf::PlanReport report() const = 0;
 };
 
+/// What a method may be told beside the tolerance.
+enum class Knob {
+  terms,          ///< of its series
+  window_radius,  ///< neighbouring bins kept
+  interpolation,  ///< between the bins
+  power_spectra,  ///< transforms of the powers of the height, kept from before
+};
+
 /// The knobs of all methods; a method takes those it knows.
 struct MethodSettings {
   std::optional<int> terms;
   std::optional<double> radius_sigma_f;
+  std::optional<brdf::BinInterpolation> interpolation;
+  std::shared_ptr<const brdf::PowerSpectra> power_spectra;
   int threads = 1;  ///< that make a plan; the plan is the same, to the last bit, for any number
 };
 
@@ -35,7 +47,7 @@ struct MethodSettings {
 struct Method {
   std::string_view name;
   std::vector<brdf::SurfaceModel> models;  ///< supported, the default first
-  bool is_taylor;                          ///< takes terms and a window radius
+  std::vector<Knob> knobs;                 ///< that it takes
   std::function<std::size_t(const brdf::Surface&, const brdf::QueryBounds&, const MethodSettings&)>
       bytes;
   /// What a plan will consist of, for people and sidecars; nothing is computed.
@@ -45,6 +57,8 @@ struct Method {
   std::function<std::unique_ptr<Amplitude>(const brdf::Surface&, const brdf::QueryBounds&,
                                            const MethodSettings&)>
       plan;
+
+  bool takes(Knob knob) const;
 };
 
 std::span<const Method> methods();
@@ -52,7 +66,11 @@ std::span<const Method> methods();
 /// Throws Errc::invalid_argument with the names there are.
 const Method& method_named(std::string_view name);
 
+/// The names of the methods that take it, separated by commas.
+std::string methods_with(Knob knob);
+
 std::string_view name_of(brdf::SurfaceModel model);
+std::string_view name_of(brdf::BinInterpolation interpolation);
 
 /// The model asked for, or the method's default. Throws Errc::invalid_argument naming a method that
 /// has the model where this one has not.

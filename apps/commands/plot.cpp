@@ -36,6 +36,7 @@ std::string value_label(const Json& sidecar) {
   if (quantity == "power") return "abs(a)^2";
   if (quantity == "relative") return "relative reflectance";
   if (quantity == "brdf") return "BRDF [1/sr]";
+  if (quantity == "radiance") return "radiance per intensity I [1/sr]";
   return "response";
 }
 
@@ -98,7 +99,7 @@ std::string draw_cut(const ResponseInput& input, const PlotOptions& options) {
       value_label(input.sidecar)};
   for (const std::string& file : options.others) {
     const std::string bytes = evaluation::read_file_bytes(file);
-    const Json sidecar = evaluation::read_sidecar(file, bytes);
+    const Json sidecar = evaluation::read_sidecar(file, evaluation::sha256_hex(bytes));
     const std::string label = value_label(sidecar);
     if (!sidecar.is_null() && label != picture.value_label)
       throw brdf::Error(brdf::Errc::bad_input,

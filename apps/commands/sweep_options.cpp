@@ -14,8 +14,10 @@ using brdf::Quantity;
 using brdf::SurfaceModel;
 using evaluation::CsvLayout;
 
-const Choices<Quantity> quantity_choices{
-    {"power", Quantity::power}, {"relative", Quantity::relative}, {"brdf", Quantity::brdf}};
+const Choices<Quantity> quantity_choices{{"power", Quantity::power},
+                                         {"relative", Quantity::relative},
+                                         {"brdf", Quantity::brdf},
+                                         {"radiance", Quantity::radiance}};
 const Choices<CsvLayout> layout_choices{{"matrix", CsvLayout::matrix},
                                         {"long", CsvLayout::long_table}};
 const Choices<Preset> preset_choices{{"physical", Preset::physical}, {"thesis", Preset::thesis}};
@@ -49,10 +51,14 @@ void require_consistent(const SweepOptions& options, const evaluation::Method& m
   };
   if (options.settings.terms && options.tolerance)
     refuse("--terms and --tolerance exclude each other: the tolerance chooses the terms");
-  const std::string no_meaning =
-      " has no meaning for --method " + std::string(method.name) + "; it goes with --method taylor";
-  if (!method.is_taylor && options.settings.terms) refuse("--terms" + no_meaning);
-  if (!method.is_taylor && options.settings.radius_sigma_f) refuse("--window-radius" + no_meaning);
+  const auto require_knob = [&](const std::string& option, evaluation::Knob knob) {
+    if (!method.takes(knob))
+      refuse(option + " has no meaning for --method " + std::string(method.name) +
+             "; it goes with --method " + evaluation::methods_with(knob));
+  };
+  if (options.settings.terms) require_knob("--terms", evaluation::Knob::terms);
+  if (options.settings.radius_sigma_f)
+    require_knob("--window-radius", evaluation::Knob::window_radius);
   if (options.tolerance && !(*options.tolerance > 0 && *options.tolerance < 1))
     refuse("--tolerance " + brdf::text(*options.tolerance) + ": must lie between 0 and 1");
   if (options.replicas && *options.model != SurfaceModel::replicated)
@@ -121,7 +127,8 @@ void add_scene(CLI::App* sweep, SweepOptions& options) {
       },
       "copies of the patch side by side, evenly lit, for --surface replicated", "N[,N]");
   add_choice(sweep, "--quantity", options.quantity, quantity_choices,
-             "abs(a)^2, relative reflectance (default), or BRDF in 1/sr");
+             "abs(a)^2, relative reflectance (default), BRDF in 1/sr, or radiance per intensity of "
+             "the light in 1/sr");
 }
 
 void add_method(CLI::App* sweep, SweepOptions& options) {

@@ -1,8 +1,5 @@
 #include "evaluation/readers/file_bytes.h"
 
-#include <openssl/evp.h>
-
-#include <array>
 #include <fstream>
 #include <system_error>
 
@@ -29,20 +26,6 @@ std::string read_file_bytes(const fs::path& path, std::uintmax_t limit_bytes) {
   std::string bytes(size, '\0');
   if (!file.read(bytes.data(), static_cast<std::streamsize>(size))) refuse("cannot be read");
   return bytes;
-}
-
-std::string sha256_hex(std::string_view bytes) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned length = 0;
-  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1)
-    throw std::runtime_error("SHA-256 is not available from libcrypto");
-  static constexpr char digits[] = "0123456789abcdef";
-  std::string hex;
-  for (unsigned i = 0; i < length; ++i) {
-    hex += digits[digest[i] >> 4];
-    hex += digits[digest[i] & 15];
-  }
-  return hex;
 }
 
 }  // namespace evaluation

@@ -1,9 +1,8 @@
-// A file taken whole, with its hash.
+// A file taken whole.
 #pragma once
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 
 namespace evaluation {
 
@@ -11,8 +10,5 @@ namespace evaluation {
 /// unreadable, or larger than `limit_bytes`.
 std::string read_file_bytes(const std::filesystem::path& path,
                             std::uintmax_t limit_bytes = std::uintmax_t{1} << 32);
-
-/// SHA-256 in lower-case hexadecimal.
-std::string sha256_hex(std::string_view bytes);
 
 }  // namespace evaluation

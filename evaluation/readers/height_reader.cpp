@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "evaluation/readers/file_bytes.h"
+#include "evaluation/sha256.h"
 
 namespace evaluation {
 namespace {

@@ -82,10 +82,13 @@ void OutputFile::refuse(const std::string& what) const {
 OutputWithSidecar::OutputWithSidecar(const fs::path& target)
     : output_(target), sidecar_(sidecar_path(target)) {}
 
-Json OutputWithSidecar::commit(std::string_view bytes, Json sidecar) {
-  sidecar["output"] = {{"file", output_.target().filename().string()},
-                       {"sha256", sha256_hex(bytes)}};
+void OutputWithSidecar::write(std::string_view bytes) {
+  hash_.update(bytes);
   output_.write(bytes);
+}
+
+Json OutputWithSidecar::commit(Json sidecar) {
+  sidecar["output"] = {{"file", output_.target().filename().string()}, {"sha256", hash_.hex()}};
   sidecar_.write(sidecar.dump(2) + "\n");
   output_.commit();
   sidecar_.commit();
@@ -96,7 +99,7 @@ fs::path sidecar_path(const fs::path& output) {
   return output.string() + ".json";
 }
 
-Json read_sidecar(const fs::path& output, std::string_view bytes) {
+Json read_sidecar(const fs::path& output, const std::string& sha256) {
   const fs::path path = sidecar_path(output);
   if (!fs::exists(path)) return nullptr;
   const Json sidecar = Json::parse(read_file_bytes(path), nullptr, /*allow_exceptions=*/false);
@@ -106,9 +109,9 @@ Json read_sidecar(const fs::path& output, std::string_view bytes) {
   if (!sidecar.is_object()) refuse("is not a JSON object");
   const Json::json_pointer hash("/output/sha256");
   if (!sidecar.contains(hash) || !sidecar[hash].is_string()) refuse("has no output.sha256");
-  if (sidecar[hash] != sha256_hex(bytes))
+  if (sidecar[hash] != sha256)
     refuse("does not belong to " + output.string() +
-           ": the SHA-256 differs, so one of the two was changed; run sweep again, or remove the "
+           ": the SHA-256 differs, so one of the two was changed; make it again, or remove the "
            "sidecar and give the options");
   return sidecar;
 }

@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "evaluation/sha256.h"
 #include "nlohmann/json.hpp"
 
 namespace evaluation {
@@ -46,11 +48,19 @@ class OutputWithSidecar {
  public:
   explicit OutputWithSidecar(const std::filesystem::path& target);
 
-  /// Writes `bytes` and `sidecar`, to which the output's name and hash are added; returns it.
-  Json commit(std::string_view bytes, Json sidecar);
+  /// Appends to the output. Throws Errc::cannot_write.
+  void write(std::string_view bytes);
+  /// Puts output and sidecar in place; the output's name and hash are added to it. Returns it.
+  Json commit(Json sidecar);
+  /// The same, for an output that is there in one piece.
+  Json commit(std::string_view bytes, Json sidecar) {
+    write(bytes);
+    return commit(std::move(sidecar));
+  }
 
  private:
   OutputFile output_, sidecar_;
+  Sha256 hash_;
 };
 
 /// `<output>.json`
@@ -58,7 +68,7 @@ std::filesystem::path sidecar_path(const std::filesystem::path& output);
 
 /// The sidecar of an output; null where there is none.
 ///
-/// Throws Errc::bad_input where it is not JSON, or where the hash in it is not that of `bytes`.
-Json read_sidecar(const std::filesystem::path& output, std::string_view bytes);
+/// Throws Errc::bad_input where it is not JSON, or where the hash in it is not the one given.
+Json read_sidecar(const std::filesystem::path& output, const std::string& sha256);
 
 }  // namespace evaluation

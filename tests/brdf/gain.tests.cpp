@@ -62,13 +62,32 @@ TEST_CASE("the two gains differ by cos theta_i, the area and lambda squared", "[
   CHECK(relative.value() <= 8 * eps);  // the same product in another order
 }
 
+TEST_CASE("the radiance is the BRDF times the irradiance of the light", "[gain][oracle]") {
+  constexpr std::uint64_t seed = 73;
+  CAPTURE(seed);
+  Uniform uniform(seed);
+  WorstError of_brdf, printed;
+  for (int i = 0; i < 10000; ++i) {
+    const Direction a = random_direction(uniform), b = random_direction(uniform);
+    const double area_um2 = uniform(1, 5000);
+    const double value = brdf::radiance_gain(a, b, lambda, area_um2);
+    of_brdf.see(std::abs(value / (brdf::brdf_gain(a, b, lambda, area_um2) * a.z()) - 1));
+    // L / I = (1 + omega_i . omega_r)^2 abs(P)^2 / (lambda^2 A w^2 cos theta_r), abs(P)^2 / A being
+    // abs(a)^2 area.
+    const double w = a.z() + b.z(), g = 1 + a.dot(b);
+    printed.see(std::abs(value / (g * g * area_um2 / (0.55 * 0.55 * w * w * b.z())) - 1));
+  }
+  CHECK(of_brdf.value() <= 8 * eps);  // the same product in another order
+  CHECK(printed.value() <= 1e-8);     // its 1 + cosine cancels near the opposite direction
+}
+
 TEST_CASE("the BRDF gain is the same with light and viewer swapped", "[gain][invariant]") {
   constexpr std::uint64_t seed = 72;
   CAPTURE(seed);
   Uniform uniform(seed);
   WorstError brdf_change;
   double relative_change = 0;
-  for (int i = 0; i < 10000; ++i) {
+  for (int i = 0; i < 100000; ++i) {
     const Direction a = random_direction(uniform, 89.999), b = random_direction(uniform, 89.999);
     brdf_change.see(
         std::abs(brdf::brdf_gain(a, b, lambda, 3300) / brdf::brdf_gain(b, a, lambda, 3300) - 1));

@@ -86,7 +86,7 @@ TEST_CASE("explain prints the plan and runs nothing", "[cli][method]") {
   const Scratch folder;
   make_grating(folder);
   const auto before = folder.contents();
-  for (const std::string method : {"auto", "chebyshev", "taylor", "direct"}) {
+  for (const std::string method : {"auto", "chebyshev", "taylor", "pq", "direct"}) {
     CAPTURE(method);
     const Outcome people = folder.shedlight(in_plane + "--explain -o R.csv --method " + method);
     CHECK(people.exit_code == 0);

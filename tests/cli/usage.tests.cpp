@@ -37,7 +37,8 @@ TEST_CASE("an unknown name is refused with the names there are", "[cli][refusal]
   make_response(folder);
   check_refused(folder, sweep + " --method magic", 2, {"magic", "direct", "taylor"});
   check_refused(folder, sweep + " --surface magic", 2, {"magic", "isolated", "periodic"});
-  check_refused(folder, sweep + " --quantity magic", 2, {"magic", "power", "relative", "brdf"});
+  check_refused(folder, sweep + " --quantity magic", 2,
+                {"magic", "power", "relative", "brdf", "radiance"});
   check_refused(folder, sweep + " --layout magic", 2, {"magic", "matrix", "long"});
   check_refused(folder, sweep + " --preset magic", 2, {"magic", "thesis"});
   check_refused(folder, sweep + " --level magic", 2, {"magic", "none", "mean", "plane"});

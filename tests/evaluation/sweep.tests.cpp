@@ -55,8 +55,8 @@ TEST_CASE("a cell of the sweep is the gain times the power of its own query", "[
   const SweepRequest request = small_request();
   const auto plan = prepared.plan(request, "direct");
   const double area_um2 = coherence_area_um2(prepared.surface);
-  for (const auto quantity :
-       {brdf::Quantity::power, brdf::Quantity::relative, brdf::Quantity::brdf}) {
+  for (const auto quantity : {brdf::Quantity::power, brdf::Quantity::relative, brdf::Quantity::brdf,
+                              brdf::Quantity::radiance}) {
     const auto response = sweep(request, Diffraction(*plan, {quantity, area_um2}), {});
     for (const std::size_t row : {0u, 2u})
       for (const std::size_t column : {0u, 4u}) {
@@ -73,6 +73,8 @@ TEST_CASE("a cell of the sweep is the gain times the power of its own query", "[
         if (quantity == brdf::Quantity::relative) expected *= brdf::relative_gain(wi, wr);
         if (quantity == brdf::Quantity::brdf)
           expected *= brdf::brdf_gain(wi, wr, Length::nm(request.lambda_nm[row]), area_um2);
+        if (quantity == brdf::Quantity::radiance)
+          expected *= brdf::radiance_gain(wi, wr, Length::nm(request.lambda_nm[row]), area_um2);
         const double value =
             response.values(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
         // The same operations in the same order, but for contraction: a few roundings.

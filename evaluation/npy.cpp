@@ -1,0 +1,152 @@
+#include "evaluation/npy.h"
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <limits>
+#include <optional>
+
+#include "brdf/error.h"
+#include "evaluation/sha256.h"
+
+namespace evaluation {
+namespace {
+
+namespace fs = std::filesystem;
+using brdf::Errc;
+
+static_assert(std::endian::native == std::endian::little, "NPY is written as it lies in memory");
+
+constexpr std::string_view magic{"\x93NUMPY\x01\x00", 8};
+constexpr std::size_t prefix_size = magic.size() + 2;  // and the length of the header
+constexpr std::size_t alignment = 64;
+
+std::string_view name_of(NpyType type) {
+  return type == NpyType::real ? "<f8" : "<c16";
+}
+
+std::size_t numbers_of(NpyType type) {
+  return type == NpyType::real ? 1 : 2;
+}
+
+/// The value of a key of the header's Python dictionary, up to the comma or brace behind it.
+std::optional<std::string_view> value_of(std::string_view header, std::string_view key) {
+  const std::size_t at = header.find("'" + std::string(key) + "'");
+  if (at == std::string_view::npos) return std::nullopt;
+  std::size_t first = header.find(':', at);
+  if (first == std::string_view::npos) return std::nullopt;
+  first = header.find_first_not_of(' ', first + 1);
+  if (first == std::string_view::npos) return std::nullopt;
+  const char closing = header[first] == '(' ? ')' : ',';
+  const std::size_t last = header.find_first_of(closing == ')' ? ")" : ",}", first);
+  if (last == std::string_view::npos) return std::nullopt;
+  return header.substr(first, last - first + (closing == ')' ? 1 : 0));
+}
+
+/// The extents of "(30, 650, 326)"; empty for anything else, or where their product overflows.
+std::optional<std::vector<std::size_t>> extents_of(std::string_view text) {
+  if (!text.starts_with('(') || !text.ends_with(')')) return std::nullopt;
+  std::vector<std::size_t> extents;
+  const char *at = text.data() + 1, *end = text.data() + text.size() - 1;
+  while (at != end) {
+    std::size_t extent = 0;
+    const auto [after, ec] = std::from_chars(at, end, extent);
+    if (ec != std::errc{}) return std::nullopt;
+    extents.push_back(extent);
+    at = std::find_if(after, end, [](char c) { return c != ',' && c != ' '; });
+  }
+  return extents;
+}
+
+std::optional<std::size_t> product(const std::vector<std::size_t>& extents, std::size_t each) {
+  std::size_t all = each;
+  for (const std::size_t extent : extents) {
+    if (extent != 0 && all > std::numeric_limits<std::size_t>::max() / extent) return std::nullopt;
+    all *= extent;
+  }
+  return all;
+}
+
+}  // namespace
+
+std::string npy_header(const NpyShape& shape) {
+  std::string extents;
+  for (const std::size_t extent : shape.extents) extents += std::to_string(extent) + ", ";
+  if (shape.extents.size() > 1) extents.erase(extents.size() - 2);
+  std::string header = "{'descr': '" + std::string(name_of(shape.type)) +
+                       "', 'fortran_order': False, 'shape': (" + extents + "), }";
+  const std::size_t unpadded = prefix_size + header.size() + 1;
+  header.append((alignment - unpadded % alignment) % alignment, ' ');
+  header += '\n';
+  std::string bytes(magic);
+  bytes += static_cast<char>(header.size() & 255);
+  bytes += static_cast<char>(header.size() >> 8);
+  return bytes + header;
+}
+
+std::string_view npy_bytes(std::span<const double> numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()};
+}
+
+std::string_view npy_bytes(std::span<const std::complex<double>> numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()};
+}
+
+NpyFile read_npy(const fs::path& path, std::size_t limit_bytes) {
+  const auto refuse = [&](const std::string& what, Errc code = Errc::bad_input) {
+    throw brdf::Error(code, path.string() + ": " + what);
+  };
+  std::error_code ec;
+  if (!fs::exists(path, ec)) refuse("no such file");
+  if (!fs::is_regular_file(path, ec)) refuse("is not a regular file");
+  const std::uintmax_t size = fs::file_size(path, ec);
+  if (ec) refuse("cannot be read: " + ec.message());
+  std::ifstream file(path, std::ios::binary);
+  std::string prefix(prefix_size, '\0');
+  if (!file.read(prefix.data(), static_cast<std::streamsize>(prefix_size)) ||
+      !prefix.starts_with(magic))
+    refuse("is not NPY, format version 1.0");
+  const std::size_t header_size = static_cast<unsigned char>(prefix[magic.size()]) +
+                                  256u * static_cast<unsigned char>(prefix[magic.size() + 1]);
+  std::string header(header_size, '\0');
+  if (!file.read(header.data(), static_cast<std::streamsize>(header_size)))
+    refuse("NPY header is cut off");
+
+  NpyFile result;
+  const auto descr = value_of(header, "descr");
+  if (descr == "'<f8'")
+    result.shape.type = NpyType::real;
+  else if (descr == "'<c16'")
+    result.shape.type = NpyType::complex_value;
+  else
+    refuse("NPY type " + std::string(descr.value_or("missing")) + ", must be '<f8' or '<c16'");
+  if (value_of(header, "fortran_order") != "False") refuse("NPY must be in C order");
+  const auto extents = extents_of(value_of(header, "shape").value_or(""));
+  if (!extents) refuse("NPY shape is not a tuple of whole numbers");
+  result.shape.extents = *extents;
+  const auto bytes = product(*extents, numbers_of(result.shape.type) * sizeof(double));
+  if (!bytes || size - prefix_size - header_size != *bytes)
+    refuse("NPY shape " + std::string(*value_of(header, "shape")) + " does not match its " +
+           std::to_string(size) + " bytes");
+  if (*bytes > limit_bytes)
+    refuse(std::to_string(*bytes) + " bytes, at most " + std::to_string(limit_bytes) + " are read",
+           Errc::over_limit);
+
+  result.numbers.resize(*bytes / sizeof(double));
+  if (!file.read(reinterpret_cast<char*>(result.numbers.data()),
+                 static_cast<std::streamsize>(*bytes)))
+    refuse("cannot be read");
+  for (std::size_t i = 0; i < result.numbers.size(); ++i)
+    if (!std::isfinite(result.numbers[i])) refuse("number " + std::to_string(i) + " is not finite");
+  Sha256 hash;
+  hash.update(prefix);
+  hash.update(header);
+  hash.update(npy_bytes(result.numbers));
+  result.sha256 = hash.hex();
+  return result;
+}
+
+}  // namespace evaluation
