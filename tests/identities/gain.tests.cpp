@@ -104,18 +104,29 @@ TEST_CASE("Thesis 1.4: the BRDF is k^2 F^2 G |P|^2 / (4 pi^2 A w^2)", "[identity
   CHECK(figure("Thesis 1.4", "BRDF, of a flat patch's peak", error) <= rounding);
 }
 
-TEST_CASE("Thesis 1.5, 1.10: the radiance is I f_r cos theta_i", "[identity][oracle]") {
+TEST_CASE(
+    "Thesis 1.5, 1.10: L / I = (1 + omega_i . omega_r)^2 |P|^2 / (lambda^2 A w^2 cos theta_r)",
+    "[identity][oracle]") {
   Patch patch(312);
   const double area_um2 = brdf::coherence_area_um2(patch.surface);
   const double error = worst_of_random_directions(
       patch,
       [&](const Direction& light, const Direction& viewer) {
-        return brdf::brdf_gain(light, viewer, lambda, area_um2) * light.z();
+        return brdf::radiance_gain(light, viewer, lambda, area_um2);
       },
       [&](const Direction& light, const Direction& viewer) {
         return radiance_of(patch.transform(light, viewer), light, viewer);
       });
   CHECK(figure("Thesis 1.5, 1.10", "radiance, of a flat patch's peak", error) <= rounding);
+  WorstError of_brdf;
+  for (int i = 0; i < 1000; ++i) {
+    const Direction a = random_direction(patch.uniform), b = random_direction(patch.uniform);
+    of_brdf.see(std::abs(brdf::radiance_gain(a, b, lambda, area_um2) /
+                             (brdf::brdf_gain(a, b, lambda, area_um2) * a.z()) -
+                         1));
+  }
+  CHECK(figure("Thesis 1.5, 1.10", "L / I against f_r cos theta_i, relative", of_brdf.value()) <=
+        8 * eps);  // the same product in another order
 }
 
 TEST_CASE("Thesis 1.13-1.16: rho is the radiance over that of a flat patch lit along its normal",

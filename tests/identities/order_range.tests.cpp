@@ -3,16 +3,13 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/support/exact_sums.h"
 #include "tests/support/figure.h"
-#include "tests/support/random_inputs.h"
 #include "tests/support/surfaces.h"
 
 using brdf::Length;
 using brdf::order_range;
 using brdf::OrderRange;
 using brdf::pi;
-using exact::Real;
 
 namespace {
 
@@ -34,40 +31,6 @@ OrderRange printed_implementation_chapter(double u, double period_um) {
 }
 
 }  // namespace
-
-TEST_CASE("Implementation chapter, Nmin and Nmax: the orders whose lobe meets the band",
-          "[identity][oracle]") {
-  constexpr std::uint64_t seed = 371;
-  CAPTURE(seed);
-  Uniform uniform(seed);
-  int differing = 0, orders = 0;
-  for (int i = 0; i < 20000; ++i) {
-    const double u = uniform(-2, 2), period_um = uniform(0.5, 10), halfwidth = uniform(0, 0.1);
-    const OrderRange range = visible(u, period_um, halfwidth);
-    for (int n = 0; n <= 60; ++n) {
-      // Nearest frequency of the band to n / d.
-      const Real lo = std::abs(u) / static_cast<Real>(last_um),
-                 hi = std::abs(u) / static_cast<Real>(first_um),
-                 f = n / static_cast<Real>(period_um);
-      const Real distance = f < lo ? lo - f : f > hi ? f - hi : 0;
-      const bool meets = distance <= halfwidth;
-      orders += meets;
-      differing += meets != (range.first <= n && n <= range.last);
-    }
-  }
-  CHECK(orders >= 20000);
-  CHECK(figure("Nmin/Nmax", "orders that differ from the lobes, of some 100 000", differing) == 0);
-}
-
-TEST_CASE("Nmin and Nmax: n = 0 holds all wavelengths in the mirror direction",
-          "[identity][oracle]") {
-  const double sigma_f = brdf::GaussianWindow(Length::um(16.25)).sigma_f_per_um();
-  CHECK(visible(0, 2.5, 4 * sigma_f).first == 0);
-  CHECK(visible(0, 2.5, 4 * sigma_f).last == 0);
-  // abs(u) <= r sigma_f lambda_max, and no longer beyond.
-  CHECK(visible(0.999 * 4 * sigma_f * last_um, 2.5, 4 * sigma_f).first == 0);
-  CHECK(visible(1.001 * 4 * sigma_f * last_um, 2.5, 4 * sigma_f).first == 1);
-}
 
 TEST_CASE("Erratum E8: for u < 0 both printed ends are the same", "[identity][erratum][E8]") {
   // u = -1.7, d = 2.5 um: 5.4 to 11.2, the orders 6 to 11.
