@@ -191,15 +191,6 @@ TEST_CASE("Schlick's approximation is within its stated distance of the exact on
   CHECK(std::abs(Fresnel{FresnelModel::schlick, 1.5}.reflectance(0.5) - 0.07) <= 2 * eps);
 }
 
-TEST_CASE("E12: the sources square Schlick's R, which is already a square", "[fresnel][errata]") {
-  const Fresnel printed{FresnelModel::schlick_amplitude, 1.5}, right{FresnelModel::schlick, 1.5};
-  const Fresnel exact{FresnelModel::dielectric, 1.5};
-  CHECK(std::abs(printed.reflectance(1) - 0.0016) <= eps);  // glass: 0.16 instead of 4 percent
-  CHECK(std::abs(right.reflectance(1) / exact.reflectance(1) - 1) <= 4 * eps);
-  CHECK(std::abs(printed.relative_reflectance(0.5) - 1.75 * 1.75) <= 8 * eps);
-  CHECK(std::abs(right.relative_reflectance(0.5) - 1.75) <= 4 * eps);
-}
-
 TEST_CASE("reflectances of metals stay within 0 and 1 at every angle", "[fresnel][invariant]") {
   constexpr std::uint64_t seed = 83;
   CAPTURE(seed);

@@ -153,16 +153,6 @@ TEST_CASE("a period or wavelength that is not positive is refused",
               "wavelength nan");
 }
 
-TEST_CASE("Thesis 2.3 calls theta_i the free parameter where theta_r is",
-          "[grating_equation][erratum][E10]") {
-  // At fixed theta_i each wavelength has its own theta_r: the law cannot hold theta_r fixed.
-  const auto violet = brdf::viewing_angle(1, Length::um(2.5), Length::nm(380), Angle::deg(75));
-  const auto red = brdf::viewing_angle(1, Length::um(2.5), Length::nm(780), Angle::deg(75));
-  REQUIRE(violet);
-  REQUIRE(red);
-  CHECK(red->deg() - violet->deg() >= 13);  // 13.64 deg by the table
-}
-
 TEST_CASE("what is no angle or no wavelength is refused, not called evanescent",
           "[grating_equation][invariant]") {
   const Angle none = Angle::rad(std::numeric_limits<double>::quiet_NaN());

@@ -35,7 +35,7 @@ Query at(double fx_per_um, double fy_per_um) {
 }  // namespace
 
 TEST_CASE("Nmin and Nmax hold just the orders whose lobe meets the band of wavelengths",
-          "[order_range][oracle]") {
+          "[order_range][identity][oracle]") {
   Uniform uniform(1);
   for (int trial = 0; trial < 20000; ++trial) {
     const double u = uniform(-2, 2), d_um = uniform(0.3, 5), b_per_um = uniform(0, 0.2);
@@ -54,7 +54,8 @@ TEST_CASE("Nmin and Nmax hold just the orders whose lobe meets the band of wavel
   }
 }
 
-TEST_CASE("order 0 needs all wavelengths near the mirror direction", "[order_range][oracle]") {
+TEST_CASE("order 0 needs all wavelengths near the mirror direction",
+          "[order_range][identity][oracle]") {
   const auto range = [](double u, double b_per_um) {
     return brdf::order_range(u, Length::nm(380), Length::nm(780), Length::um(2.5), b_per_um);
   };

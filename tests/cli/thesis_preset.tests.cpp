@@ -4,12 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "brdf/grating_equation.h"
 #include "tests/cli/program.h"
 #include "tests/cli/tables.h"
 
-using brdf::Angle;
-using brdf::Length;
 using nlohmann::json;
 
 namespace {
@@ -18,27 +15,6 @@ const std::string blaze =
     "synth blazed --period 2500nm --height 150nm --size 65um --pixels 650 -o g.gsf";
 
 }  // namespace
-
-TEST_CASE("the grating equation on the angle grid gives the recorded mean and spread",
-          "[thesis][oracle]") {
-  std::vector<double> periods_nm;
-  for (int lambda_nm = 380; lambda_nm <= 780; ++lambda_nm) {
-    const Length wavelength = Length::nm(lambda_nm);
-    const auto exact = brdf::viewing_angle(1, Length::nm(2500), wavelength, Angle::deg(75));
-    REQUIRE(exact);
-    const Angle on_grid = Angle::deg(std::round(exact->deg() * 100) / 100);
-    const auto period = brdf::period_from_angle(1, wavelength, Angle::deg(75), on_grid);
-    REQUIRE(period);
-    periods_nm.push_back(period->nm());
-  }
-  double mean = 0, squares = 0;
-  for (const double period : periods_nm) mean += period / static_cast<double>(periods_nm.size());
-  for (const double period : periods_nm) squares += (period - mean) * (period - mean);
-  const double deviation = std::sqrt(squares / static_cast<double>(periods_nm.size() - 1));
-  // To the digits given; 401 sums of 2500 round to 1e-10.
-  CHECK(mean == Approx(2499.9974453586824).margin(1e-9).epsilon(0));
-  CHECK(deviation == Approx(0.37726655).margin(5e-9).epsilon(0));
-}
 
 TEST_CASE("the thesis preset reproduces the recorded period of the blazed grating",
           "[cli][thesis][golden]") {
