@@ -35,9 +35,10 @@ evaluation::PeriodSpread spread(const char* method, SurfaceModel model, int copi
   const auto response =
       sweep(request, evaluation::Diffraction(*plan, {brdf::Quantity::power}), {2, {}});
   const auto plane = evaluation::plane_of_incidence(request.theta_i, {}, {});
-  const auto peaks = find_peaks(
-      response, plane,
-      {.order = 1, .period_guess = Length::nm(2450), .refinement = evaluation::Refinement::grid});
+  evaluation::PeakSearch search;
+  search.period_guess = Length::nm(2450);
+  search.refinement = evaluation::Refinement::grid;
+  const auto peaks = find_peaks(response, plane, search);
   return period_spread(peaks, plane, 1);
 }
 
