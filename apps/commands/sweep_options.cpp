@@ -70,6 +70,14 @@ void require_consistent(const SweepOptions& options, const evaluation::Method& m
            std::string(evaluation::name_of(*options.model)));
 }
 
+/// Who gives the knobs of one of the sources' series means that series.
+std::string method_meant(const SweepOptions& options) {
+  if (options.settings.interpolation) return "pq";
+  if (options.settings.radius_sigma_f) return "taylor";
+  if (!options.settings.terms) return "auto";
+  return options.replicas || options.model == SurfaceModel::replicated ? "pq" : "taylor";
+}
+
 /// What is asked of a diffraction amplitude means nothing to a model without one.
 void require_geometric(const SweepOptions& options) {
   const std::pair<bool, const char*> given[] = {
@@ -105,8 +113,7 @@ void SweepOptions::resolve() {
     throw brdf::Error(brdf::Errc::invalid_argument,
                       "--json needs -o: both would go to standard output");
   if (preset == Preset::thesis) fill_in_thesis(*this);
-  // Who gives the knobs of the Taylor series means the Taylor series.
-  if (!method) method = settings.terms || settings.radius_sigma_f ? "taylor" : "auto";
+  if (!method) method = method_meant(*this);
   selection.require_consistent();
   geometric.require_consistent(*method, optics);
   if (is_geometric()) {
@@ -174,9 +181,10 @@ void add_method(CLI::App* sweep, SweepOptions& options) {
     names.append(names.empty() ? "" : "|").append(method.name);
   names += "|" + GeometricOptions::names();
   sweep
-      ->add_option("--method", options.method,
-                   "how the amplitude is computed (default auto; taylor where its --terms or "
-                   "--window-radius are given), or a model without diffraction")
+      ->add_option(
+          "--method", options.method,
+          "how the amplitude is computed (default auto; taylor or pq where their options are "
+          "given), or a model without diffraction")
       ->type_name(names);
   add_parsed(sweep, "--tolerance", options.tolerance, parse_number,
              "largest error of the amplitude, flat patch's peak = 1 (default 1e-6)", "NUMBER");

@@ -99,6 +99,13 @@ TEST_CASE("at an order the factor is its peak, with the sign of the copies' phas
     }
 }
 
+TEST_CASE("at a frequency so small that its products round, the factor is 1",
+          "[pq_factors][crossover]") {
+  // pi times the smallest denormal rounds by 5 per cent.
+  for (const int replicas : {2, 3, 100, 1000000})
+    CHECK(brdf::pq_factor(std::numeric_limits<double>::denorm_min(), replicas) == 1);
+}
+
 TEST_CASE("the factor is never NaN and never above its peak", "[pq_factors][invariant]") {
   constexpr double tiny = std::numeric_limits<double>::denorm_min();
   constexpr std::uint64_t seed = 202;

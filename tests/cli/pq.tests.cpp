@@ -57,10 +57,20 @@ TEST_CASE("an interpolation goes with pq alone, and pq with copies alone", "[cli
   const Scratch folder;
   make_grating(folder);
   const std::string out = sweep + "-o older.csv ";
-  check_refused(folder, out + "--interpolation sinc", 2, {"--interpolation", "pq"});
+  check_refused(folder, out + "--method auto --interpolation sinc", 2, {"--interpolation", "pq"});
   check_refused(folder, out + "--method taylor --interpolation sinc", 2, {"--interpolation", "pq"});
   check_refused(folder, out + "--method pq --interpolation magic", 2,
                 {"magic", "nearest", "exact"});
   check_refused(folder, out + "--method pq --surface isolated", 2, {"pq", "isolated"});
   check_refused(folder, out + "--method pq --window-radius 4", 2, {"--window-radius", "taylor"});
+}
+
+TEST_CASE("an interpolation, or terms with copies, choose pq", "[cli][pq]") {
+  const Scratch folder;
+  make_grating(folder);
+  for (const std::string knob :
+       {"--interpolation exact", "--terms 30 --replicas 2", "--terms 30 --surface replicated"}) {
+    folder.prepare(sweep + knob + " -o R.csv");
+    CHECK(json::parse(folder.read("R.csv.json")).at("parameters").at("method") == "pq");
+  }
 }
