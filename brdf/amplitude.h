@@ -1,12 +1,12 @@
 // What a method that computes the diffraction amplitude takes, gives and promises.
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <concepts>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -42,12 +42,15 @@ struct QueryBounds {
 
   double max_abs_c_per_um() const { return std::max(std::abs(lo.c_per_um), std::abs(hi.c_per_um)); }
 
-  /// Throws Errc::invalid_argument for a query outside the box, or one that is not a number.
+  /// Whether the box holds a query; no for one that is not a number.
+  bool hold(const Query& q) const {
+    return lo.qx_per_um <= q.qx_per_um && q.qx_per_um <= hi.qx_per_um &&
+           lo.qy_per_um <= q.qy_per_um && q.qy_per_um <= hi.qy_per_um &&
+           lo.c_per_um <= q.c_per_um && q.c_per_um <= hi.c_per_um;
+  }
+  /// Throws Errc::invalid_argument naming a query that it does not.
   void require_holds(const Query& q) const {
-    const bool within = lo.qx_per_um <= q.qx_per_um && q.qx_per_um <= hi.qx_per_um &&
-                        lo.qy_per_um <= q.qy_per_um && q.qy_per_um <= hi.qy_per_um &&
-                        lo.c_per_um <= q.c_per_um && q.c_per_um <= hi.c_per_um;
-    if (!within)
+    if (!hold(q))
       throw Error(Errc::invalid_argument, "query (" + text(q.qx_per_um) + ", " + text(q.qy_per_um) +
                                               ", " + text(q.c_per_um) +
                                               ") rad/um lies outside the bounds of its plan");
@@ -57,20 +60,27 @@ struct QueryBounds {
 /// The smallest box around some queries. Throws Errc::invalid_argument where there are none or
 /// one is not finite.
 inline QueryBounds bounds_of(std::span<const Query> queries, double tolerance) {
-  constexpr double inf = std::numeric_limits<double>::infinity();
   if (queries.empty()) throw Error(Errc::invalid_argument, "a request needs at least one query");
-  QueryBounds bounds{{inf, inf, inf}, {-inf, -inf, -inf}, queries.size(), tolerance};
-  for (const Query& q : queries) {
-    if (!(std::isfinite(q.qx_per_um) && std::isfinite(q.qy_per_um) && std::isfinite(q.c_per_um)))
-      throw Error(Errc::invalid_argument, "a query is not finite");
-    bounds.lo = {std::min(bounds.lo.qx_per_um, q.qx_per_um),
-                 std::min(bounds.lo.qy_per_um, q.qy_per_um),
-                 std::min(bounds.lo.c_per_um, q.c_per_um)};
-    bounds.hi = {std::max(bounds.hi.qx_per_um, q.qx_per_um),
-                 std::max(bounds.hi.qy_per_um, q.qy_per_um),
-                 std::max(bounds.hi.c_per_um, q.c_per_um)};
+  // Two queries fill whole vectors of any instruction set.
+  static_assert(sizeof(Query) == 3 * sizeof(double));
+  using Pair = Eigen::Array<double, 6, 1>;
+  const Eigen::Map<const Eigen::Array3Xd> all(&queries.front().qx_per_um, 3,
+                                              static_cast<Eigen::Index>(queries.size()));
+  const Eigen::Array3d last = all.rightCols<1>();
+  Pair lo, hi, nothing = Pair::Zero();  // NaN where one is not finite
+  lo << last, last;
+  hi = lo;
+  for (Eigen::Index i = 0; i + 2 <= all.cols(); i += 2) {
+    const Pair pair = Eigen::Map<const Pair>(all.col(i).data());
+    lo = lo.min(pair);
+    hi = hi.max(pair);
+    nothing += pair - pair;
   }
-  return bounds;
+  if (!((nothing == 0).all() && last.isFinite().all()))
+    throw Error(Errc::invalid_argument, "a query is not finite");
+  const auto query = [](const Eigen::Array3d& q) { return Query{q(0), q(1), q(2)}; };
+  return {query(lo.head<3>().min(lo.tail<3>())), query(hi.head<3>().max(hi.tail<3>())),
+          queries.size(), tolerance};
 }
 
 /// What a plan knows about itself.

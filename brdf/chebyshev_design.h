@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "brdf/chebyshev_carrier.h"
 #include "brdf/chebyshev_line.h"
 #include "brdf/chebyshev_terms.h"
 #include "brdf/direct_sum.h"
@@ -29,7 +30,7 @@ class ChebyshevDesign {
         tolerance_(std::clamp(bounds.tolerance, 1e-15, 1.0)),
         c_mid_per_um_(std::midpoint(bounds.lo.c_per_um, bounds.hi.c_per_um)),
         c_half_per_um_((bounds.hi.c_per_um - bounds.lo.c_per_um) / 2),
-        terms_(c_half_per_um_ * surface.heights->half_range_um(), series_share * tolerance_) {
+        terms_(c_half_per_um_ * surface.heights->half_range_um(), terms_share * tolerance_) {
     const bool one_qx = bounds.lo.qx_per_um == bounds.hi.qx_per_um;
     const bool one_qy = bounds.lo.qy_per_um == bounds.hi.qy_per_um;
     // Folded weights along an oblique line do not exist for a periodic lattice.
@@ -39,11 +40,14 @@ class ChebyshevDesign {
     // where a query reads a square of taps.
     if (parts_.path == SeriesPath::general && terms_.degrees() <= TermTable<double>::max_degrees) {
       ChebyshevTerms modes(c_half_per_um_ * surface.heights->half_range_um(),
-                           series_share * tolerance_, SeriesBasis::modes);
+                           terms_share * tolerance_, SeriesBasis::modes);
       if (modes.degrees() <= TermTable<double>::max_degrees && modes.count() < terms_.count())
         terms_ = std::move(modes);
     }
     parts_.terms = terms_.count();
+    terms_norm_ = terms_.norm();
+    if (parts_.path == SeriesPath::in_plane)
+      carried_.emplace(terms_, carrier_rad(), carrier_share * tolerance_);
     inner_axis_ = one_qy || parts_.projected ? 0 : 1;
     choose_grid(parts_.path == SeriesPath::general ? general_oversampling : in_plane_oversampling);
     if (parts_.path == SeriesPath::general) {
@@ -67,6 +71,10 @@ class ChebyshevDesign {
   const Executor& executor() const { return settings_.executor; }
   double c_mid_per_um() const { return c_mid_per_um_; }
   double c_half_per_um() const { return c_half_per_um_; }
+  /// Phase of the middle of the range of k w at s = 1.
+  double carrier_rad() const { return c_mid_per_um_ * surface_.heights->half_range_um(); }
+  /// The terms as they are summed in a plane of incidence.
+  const std::optional<CarriedTerms>& carried() const { return carried_; }
   const std::optional<FourierAxis>& outer() const { return outer_; }  ///< x of the general path
   const FourierAxis& inner() const { return *inner_; }
   const std::optional<LineProjection>& line() const { return line_; }  ///< of a projected plane
@@ -95,7 +103,7 @@ class ChebyshevDesign {
  private:
   // Shares of the tolerance. A term gains a factor 5 or more, so the series gets little; a tap
   // costs a whole row of products, so the kernels get what single-precision storage leaves.
-  static constexpr double series_share = 0.1, double_kernel_share = 0.75,
+  static constexpr double terms_share = 0.09, carrier_share = 0.01, double_kernel_share = 0.75,
                           single_kernel_share = 0.45;
   // In one dimension a finer grid costs next to nothing and saves a tap or two; in two it would
   // cost its square in memory.
@@ -119,7 +127,7 @@ class ChebyshevDesign {
                                      index == 0 ? hi.qx_per_um : hi.qy_per_um, tolerance,
                                      oversampling};
     FourierAxis axis(surface_, axes_[index], request);
-    axis.prepare(surface_, axes_[index]);
+    axis.prepare();
     return axis;
   }
 
@@ -157,17 +165,20 @@ class ChebyshevDesign {
 
   void set_errors() {
     const double inner = inner_->error_bound(), outer = outer_ ? outer_->error_bound() : 0;
-    parts_.series_error = terms_.error_bound();
+    parts_.series_error = terms_.error_bound() + (carried_ ? carried_->error_bound() : 0);
     const double line = line_ ? line_->error_bound() + inner * line_->amplification() : 0;
     parts_.kernel_error =
-        (line_ ? line : (1 + inner) * (1 + outer) - 1) * (1 + terms_.error_bound());
-    const double amplification = inner_->amplification() * (outer_ ? outer_->amplification() : 1) *
-                                 (line_ ? line_->amplification() : 1) * terms_.norm();
+        (line_ ? line : (1 + inner) * (1 + outer) - 1) * (1 + parts_.series_error);
+    const double grids = inner_->amplification() * (outer_ ? outer_->amplification() : 1) *
+                         (line_ ? line_->amplification() : 1);
+    const double amplification = grids * terms_norm_;
+    const double summed = grids * (carried_ ? carried_->norm() : terms_norm_);
+    const int degrees = carried_ ? carried_->degrees() : terms_.count();
     // Positions and phases are rounded to eps / 2 of themselves, in about three steps and weighted
     // by the mean distance from the centre, a fourth of the width or so; the recurrences add up.
     constexpr double eps = std::numeric_limits<double>::epsilon();
-    parts_.rounding_error = eps * (max_phase_rad() + 4 * terms_.count() + 4 * amplification) +
-                            (line_ ? line_->offset_error() : 0);
+    parts_.rounding_error =
+        eps * (max_phase_rad() + 4 * degrees + 4 * summed) + (line_ ? line_->offset_error() : 0);
     // Each entry is rounded once, by 2^-24 of itself; the sums are in double.
     const double single = std::ldexp(amplification, -24);
     const bool fits =
@@ -200,25 +211,29 @@ class ChebyshevDesign {
     parts_.table_bytes = table_bytes(real_bytes);
     parts_.peak_bytes = parts_.table_bytes;
     double transforms = static_cast<double>(inner_->length());
-    constexpr std::size_t complex_bytes = 2 * sizeof(double);
+    const auto degrees = static_cast<std::size_t>(carried_ ? carried_->degrees() : 0);
     if (outer_) {
+      constexpr std::size_t complex_bytes = 2 * sizeof(double);
       parts_.peak_bytes +=
           static_cast<std::size_t>(pixels) * (complex_bytes + sizeof(double)) +
           axes[0].stored * static_cast<std::size_t>(axes_[1].count) * complex_bytes;
       transforms = static_cast<double>(axes_[1].count) * static_cast<double>(outer_->length()) +
                    static_cast<double>(outer_->stored() * inner_->length());
     } else if (line_) {
-      parts_.peak_bytes += (line_strips + 1) * line_->count() * padded * complex_bytes;
+      parts_.peak_bytes +=
+          (line_strips + 1) * line_->count() * (degrees + SpreadLine::step) * sizeof(double);
     } else {
-      parts_.peak_bytes += static_cast<std::size_t>(axes_[inner_axis_].count + PixelStrip::lanes) *
-                           padded * 2 * complex_bytes;
+      parts_.peak_bytes += 2 *
+                           static_cast<std::size_t>(axes_[inner_axis_].count + PixelStrip::lanes) *
+                           degrees * sizeof(double);
     }
-    // Measured on AVX-512: half a millisecond for kernels and coefficients, 2 ns and 0.3 ns per
-    // pixel and term in the plane, 12 ns per point transformed; 15 ns per query and 0.2 ns per
-    // product of the gather.
-    parts_.plan_s =
-        5e-4 + 1e-9 * (pixels * (2 + (outer_ ? 2.0 : 0.3) * terms) + 12 * terms * transforms);
-    if (line_) parts_.plan_s += 1e-9 * pixels * line_->kernel().width() * (12 + 0.4 * terms);
+    // Measured on AVX-512: half a millisecond for kernels and coefficients, 2 ns per pixel and 2 ns
+    // per pixel and term, in the plane 0.1 ns per pixel and degree, 12 ns per point transformed; 15
+    // ns per query and 0.2 ns per product of the gather.
+    parts_.plan_s = 5e-4 + 12e-9 * terms * transforms +
+                    1e-9 * pixels * (outer_ ? 2 + 2 * terms : 0.1 * carried_->degrees());
+    if (line_)
+      parts_.plan_s += 1e-9 * pixels * (8 + 0.1 * line_->kernel().width() * carried_->degrees());
     parts_.query_s =
         1e-9 * (15 + 0.2 * static_cast<double>(padded) * axes[0].width * axes[1].width);
   }
@@ -238,6 +253,8 @@ class ChebyshevDesign {
   SurfaceAxis axes_[2];
   double tolerance_, c_mid_per_um_, c_half_per_um_;
   ChebyshevTerms terms_;
+  double terms_norm_ = 1;
+  std::optional<CarriedTerms> carried_;
   SeriesPlanParts parts_{};
   int inner_axis_ = 0;
   std::optional<FourierAxis> outer_, inner_;

@@ -5,12 +5,13 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "brdf/amplitude.h"
-#include "brdf/interpolation_kernel.h"
+#include "brdf/kernel_choice.h"
 
 namespace brdf {
 
@@ -98,23 +99,18 @@ class LineProjection {
   }
 
   void choose_kernel(double tolerance) {
-    constexpr int mesh = 24;
-    std::vector<double> omegas;  // per sample
-    for (int m = 0; m <= mesh; ++m) omegas.push_back(pi / oversampling * m / mesh);
-    int width = 2;
-    do {
-      kernel_ = InterpolationKernel::semicircle(width, oversampling);
-      const std::vector<double> errors = kernel_.relative_errors(omegas);
-      error_bound_ = *std::max_element(errors.begin(), errors.end());
-    } while (!(error_bound_ <= tolerance) && ++width <= 17);  // rounding from there on
-    const std::vector<double> transforms = kernel_.transform(omegas);
-    // Of the kernel's sum over its taps the transform at 0 is the mean.
-    amplification_ = transforms.front() * (1 + error_bound_) /
-                     *std::min_element(transforms.begin(), transforms.end());
+    constexpr double edge = pi / oversampling;
+    const ChosenKernel chosen =
+        choose_semicircle(edge, oversampling, tolerance, [](const std::vector<double>& errors) {
+          return *std::max_element(errors.begin(), errors.end());
+        });
+    kernel_ = chosen.kernel;
+    error_bound_ = chosen.error_bound;
+    // Of the kernel's sum over its taps the transform at 0 is the mean; it falls to the edge.
+    amplification_ = chosen.transform(0) * (1 + error_bound_) / chosen.transform(edge);
     // Entire in omega^2: degree 12 is exact to rounding.
-    correction_ = detail::fitted_polynomial(12, [&](double t) {
-      const double omega = pi / oversampling * std::sqrt(std::max(0.0, (1 + t) / 2));
-      return 1 / kernel_.transform({omega}).front();
+    correction_ = ChebyshevFit(12)([&](double t) {
+      return 1 / chosen.transform(edge * std::sqrt(std::max(0.0, (1 + t) / 2)));
     });
   }
 

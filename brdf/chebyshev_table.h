@@ -5,7 +5,6 @@
 #include <complex>
 #include <cstddef>
 #include <memory>
-#include <mutex>
 #include <new>
 #include <utility>
 #include <vector>
@@ -13,50 +12,11 @@
 #include "brdf/chebyshev_columns.h"
 #include "brdf/chebyshev_design.h"
 #include "brdf/chebyshev_projection.h"
+#include "brdf/fourier_pool.h"
 #include "brdf/query_order.h"
 #include "brdf/term_table.h"
 
 namespace brdf {
-
-/// Transforms of one length, lent to one task at a time.
-class FourierPool {
- public:
-  explicit FourierPool(std::size_t length) : length_(length) {}
-
-  class Lease {
-   public:
-    explicit Lease(FourierPool& pool) : pool_(pool), fourier_(pool.take()) {}
-    ~Lease() { pool_.give_back(std::move(fourier_)); }
-    Lease(const Lease&) = delete;
-    Lease& operator=(const Lease&) = delete;
-    ComplexFourier1d& operator*() const { return *fourier_; }
-
-   private:
-    FourierPool& pool_;
-    std::unique_ptr<ComplexFourier1d> fourier_;
-  };
-
- private:
-  std::unique_ptr<ComplexFourier1d> take() {
-    {
-      const std::scoped_lock lock(mutex_);
-      if (!idle_.empty()) {
-        auto fourier = std::move(idle_.back());
-        idle_.pop_back();
-        return fourier;
-      }
-    }
-    return std::make_unique<ComplexFourier1d>(length_);
-  }
-  void give_back(std::unique_ptr<ComplexFourier1d> fourier) {
-    const std::scoped_lock lock(mutex_);
-    idle_.push_back(std::move(fourier));
-  }
-
-  std::size_t length_;
-  std::mutex mutex_;
-  std::vector<std::unique_ptr<ComplexFourier1d>> idle_;
-};
 
 /// Owns a TermTable. Real: float or double.
 template <class Real>
@@ -165,9 +125,10 @@ class ChebyshevTable {
   }
 
   void fill_in_plane(const ChebyshevDesign& design, const SeriesKernels& kernels) {
-    const ChebyshevColumns columns =
-        design.line() ? projected_columns(design, kernels) : contracted_columns(design, kernels);
     FourierPool pool(design.inner().length());
+    const auto beside = [&pool] { pool.prepare(); };  // takes as long as half of the pixels of A
+    const ChebyshevColumns columns = design.line() ? projected_columns(design, kernels, beside)
+                                                   : contracted_columns(design, kernels, beside);
     spread(design, pool, static_cast<std::size_t>(view_.terms), terms_of_task(design),
            [&](ComplexFourier1d& fourier, std::size_t term) {
              transform_columns(design, columns, fourier, static_cast<int>(term));
@@ -181,16 +142,24 @@ class ChebyshevTable {
 
   void transform_columns(const ChebyshevDesign& design, const ChebyshevColumns& columns,
                          ComplexFourier1d& fourier, int r) {
-    std::vector<Complex> mixed(columns.count);
-    for (int m = design.terms().odd(r) ? 1 : 0; m < view_.degrees; m += 2) {
-      const double coefficient = design.terms().pixel_basis()(m, r);
-      const Complex* column = columns.samples.data() + static_cast<std::size_t>(m) * columns.count;
-      for (std::size_t i = 0; i < columns.count; ++i) mixed[i] += coefficient * column[i];
+    const CarriedTerms& carried = *design.carried();
+    std::vector<double> re(columns.count), im(columns.count);
+    const auto add = [&](std::vector<double>& to, double factor, const std::vector<double>& from,
+                         int p) {
+      const double* moments = from.data() + static_cast<std::size_t>(p) * columns.count;
+      for (std::size_t i = 0; i < columns.count; ++i) to[i] += factor * moments[i];
+    };
+    for (int p = 0; p < carried.degrees(); ++p) {
+      const double factor = carried.coefficient(p, r);
+      const bool turned = CarriedTerms::imaginary(p, r);
+      add(turned ? im : re, factor, columns.re, p);
+      if (!columns.im.empty()) add(turned ? re : im, turned ? -factor : factor, columns.im, p);
     }
-    const Complex turn = design.terms().odd(r) ? Complex(0, 1) : Complex(1, 0);
-    design.inner().transform(
-        fourier, [&](std::size_t i) { return mixed[i]; },
-        [&](std::size_t slot, Complex value) { store(0, slot, r, turn * value); });
+    const auto value = [&](std::size_t i) {  // with the factor i of an odd term
+      return r % 2 == 0 ? Complex(re[i], im[i]) : Complex(-im[i], re[i]);
+    };
+    design.inner().transform(fourier, value,
+                             [&](std::size_t slot, Complex f) { store(0, slot, r, f); });
   }
 
   /// a_r(s) without its factor i, by Clenshaw over the degrees of its parity.
@@ -221,7 +190,7 @@ class ChebyshevTable {
         Complex* carrier_row = carrier.data() + row * cols;
         if (r == 0)
           for (std::size_t col = 0; col < cols; ++col)
-            carrier_row[col] = std::polar(1.0, scale.phase_per_s * s_row[col]);
+            carrier_row[col] = std::polar(1.0, design.carrier_rad() * s_row[col]);
         outer.transform(
             fourier,
             [&](std::size_t col) {

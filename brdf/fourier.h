@@ -95,25 +95,34 @@ class RealFourier2d {
 };
 
 /// One-dimensional transform of complex samples with the plus sign, in place, not normalised:
-/// F(k) = sum_j s(j) exp(+2 pi i j k / count). One object serves one thread.
+/// F(k) = sum_j s(j) exp(+2 pi i j k / count). One object serves one thread; copies share the plan.
 class ComplexFourier1d {
  public:
   explicit ComplexFourier1d(std::size_t count)
       : count_(count), data_(detail::fftw_array<std::complex<double>>(count)) {
     const std::scoped_lock lock(detail::FftwDestroyPlan::mutex());
     auto* data = reinterpret_cast<fftw_complex*>(data_.get());
-    plan_.reset(
+    plan_ = detail::FftwPlan(
         fftw_plan_dft_1d(static_cast<int>(count), data, data, FFTW_BACKWARD, FFTW_ESTIMATE));
     if (!plan_) throw std::bad_alloc();
   }
+  /// Planned already, with samples of its own, not set.
+  ComplexFourier1d(const ComplexFourier1d& other)
+      : count_(other.count_),
+        data_(detail::fftw_array<std::complex<double>>(count_)),
+        plan_(other.plan_) {}
+  ComplexFourier1d& operator=(const ComplexFourier1d&) = delete;
 
   std::span<std::complex<double>> data() { return {data_.get(), count_}; }
-  void transform() { fftw_execute(plan_.get()); }
+  void transform() {
+    auto* data = reinterpret_cast<fftw_complex*>(data_.get());
+    fftw_execute_dft(plan_.get(), data, data);
+  }
 
  private:
   std::size_t count_;
   detail::FftwArray<std::complex<double>> data_;
-  detail::FftwPlan plan_;
+  std::shared_ptr<std::remove_pointer_t<fftw_plan>> plan_;
 };
 
 /// Smallest even length >= minimum without a prime factor above 7: fast to transform.

@@ -5,11 +5,12 @@
 #include <complex>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "brdf/fourier.h"
-#include "brdf/interpolation_kernel.h"
+#include "brdf/kernel_choice.h"
 #include "brdf/surface.h"
 #include "brdf/window_cut.h"
 
@@ -53,22 +54,22 @@ class FourierAxis {
   /// For samples that are given whole, window and all; prepared.
   FourierAxis(const EvenSamples& samples, const FourierAxisRequest& request)
       : pixels_(samples.count) {
-    set_grid(samples.pitch_um, 0, static_cast<long>(samples.count) - 1, request.oversampling);
-    centre_half_samples_ = static_cast<long>(samples.count) - 1;
-    choose_kernel(request.tolerance, [&] {
-      const std::vector<double> errors = kernel_.relative_errors(mesh_omegas());
-      return *std::max_element(errors.begin(), errors.end());
-    });
+    const long last = static_cast<long>(samples.count) - 1;
+    set_grid(samples.pitch_um, 0, last, last, request.oversampling);
+    chosen_ = choose_semicircle(edge(), oversampling(), request.tolerance,
+                                [](const std::vector<double>& errors) {
+                                  return *std::max_element(errors.begin(), errors.end());
+                                });
     set_stored(request);
     set_phases();
     weights_ = sample_transforms();
     for (double& weight : weights_) weight = 1 / weight;
-    amplification_ = *std::max_element(weights_.begin(), weights_.end()) *
-                     kernel_.transform({0.0})[0] * (1 + error_bound_);
+    amplification_ = *std::max_element(weights_.begin(), weights_.end()) * chosen_.transform(0) *
+                     (1 + chosen_.error_bound);
   }
 
-  const InterpolationKernel& kernel() const { return kernel_; }
-  double error_bound() const { return error_bound_; }
+  const InterpolationKernel& kernel() const { return chosen_.kernel; }
+  double error_bound() const { return chosen_.error_bound; }
   /// Bound on sum over taps of psi times the largest grid value, for samples of modulus 1.
   double amplification() const { return amplification_; }
   double oversampling() const {
@@ -84,29 +85,25 @@ class FourierAxis {
     return pixel_um_ * static_cast<double>(length_) / (2 * pi);
   }
 
-  /// Prepares the weights; to be called once before `transform`.
-  void prepare(const Surface& surface, const SurfaceAxis& axis) {
+  /// Sets the weights; to be called once before `transform`.
+  void prepare() {
     set_phases();
-    weights_.assign(samples_, 1 / static_cast<double>(pixels_));
     if (gaussian_) {
+      weights_.assign(samples_, 1 / static_cast<double>(pixels_));
       for (double x = 0; x < 1; x += 1.0 / 64) {
-        const std::vector<double> taps = kernel_.taps(x);
+        const std::vector<double> taps = chosen_.kernel.taps(x);
         amplification_ = std::max(amplification_, std::accumulate(taps.begin(), taps.end(), 0.0));
       }
       return;
     }
     const std::vector<double> transforms = sample_transforms();
-    double sum = 0;
-    for (std::size_t n = 0; n < samples_; ++n) {
-      weights_[n] = sample_weight(surface, axis, n);
-      sum += weights_[n];
-    }
+    const double sum = std::accumulate(weights_.begin(), weights_.end(), 0.0);
     double largest = 0;
     for (std::size_t n = 0; n < samples_; ++n) {
       weights_[n] /= sum * transforms[n];
       largest += weights_[n];
     }
-    amplification_ = largest * kernel_.transform({0.0})[0] * (1 + error_bound_);
+    amplification_ = largest * chosen_.transform(0) * (1 + chosen_.error_bound);
   }
 
   /// Calls store(slot, F_k) for each stored grid point; values: one per pixel.
@@ -114,37 +111,37 @@ class FourierAxis {
   void transform(ComplexFourier1d& fourier, Value value, Store store) const {
     const std::span<std::complex<double>> data = fourier.data();
     std::fill(data.begin(), data.end(), 0.0);
-    for (std::size_t n = 0; n < samples_; ++n) data[n % length_] += weights_[n] * value(source(n));
+    const auto step = [](std::size_t& index, std::size_t period) {
+      if (++index == period) index = 0;
+    };
+    std::size_t pixel = wrapped(first_sample_, pixels_), to = 0;
+    for (std::size_t n = 0; n < samples_; ++n, step(pixel, pixels_), step(to, length_))
+      data[to] += weights_[n] * value(pixel);
     fourier.transform();
-    for (std::size_t slot = 0; slot < phases_.size(); ++slot)
-      store(slot, data[bin(first_ + static_cast<long>(slot))] * phases_[slot]);
+    std::size_t bin = wrapped(first_, length_);
+    for (std::size_t slot = 0; slot < phases_.size(); ++slot, step(bin, length_))
+      store(slot, data[bin] * phases_[slot]);
   }
 
  private:
   void set_stored(const FourierAxisRequest& request) {
     const double scale = grid_per_frequency_um();
-    const double half_width = kernel_.width() / 2.0;
+    const double half_width = chosen_.kernel.width() / 2.0;
     first_ = static_cast<long>(std::ceil(request.lo_per_um * scale - half_width)) - 1;
-    last_ = static_cast<long>(std::ceil(request.hi_per_um * scale - half_width)) + kernel_.width();
-    last_ = std::min(last_, first_ + static_cast<long>(length_) + kernel_.width() - 2);
+    last_ = static_cast<long>(std::ceil(request.hi_per_um * scale - half_width)) +
+            chosen_.kernel.width();
+    last_ = std::min(last_, first_ + static_cast<long>(length_) + chosen_.kernel.width() - 2);
   }
 
-  /// The kernel's transform at every sample.
   std::vector<double> sample_transforms() const {
-    // The kernel is even: samples that lie symmetrically share their transform.
-    const bool symmetric = centre_half_samples_ == static_cast<long>(samples_) - 1;
-    std::vector<double> omegas;
-    for (std::size_t n = 0; n < (symmetric ? (samples_ + 1) / 2 : samples_); ++n)
-      omegas.push_back(omega(n));
-    std::vector<double> transforms = kernel_.transform(omegas);
-    for (std::size_t n = transforms.size(); n < samples_; ++n)
-      transforms.push_back(transforms[samples_ - 1 - n]);
+    std::vector<double> transforms;
+    for (std::size_t n = 0; n < samples_; ++n) transforms.push_back(chosen_.transform(omega(n)));
     return transforms;
   }
 
-  std::size_t bin(long k) const {
-    const long length = static_cast<long>(length_);
-    return static_cast<std::size_t>(((k % length) + length) % length);
+  static std::size_t wrapped(long index, std::size_t period) {
+    const long length = static_cast<long>(period), remainder = index % length;
+    return static_cast<std::size_t>(remainder < 0 ? remainder + length : remainder);
   }
 
   /// exp(-2 pi i k centre / length), reduced in whole half-samples before it meets pi.
@@ -162,10 +159,9 @@ class FourierAxis {
     return 2 * pi * (static_cast<double>(n) - static_cast<double>(centre_half_samples_) / 2) /
            static_cast<double>(length_);
   }
-  std::size_t source(std::size_t n) const {
-    const long pixels = static_cast<long>(pixels_);
-    return static_cast<std::size_t>(((first_sample_ + static_cast<long>(n)) % pixels + pixels) %
-                                    pixels);
+  /// The largest angle per grid point.
+  double edge() const {
+    return std::max({std::abs(omega(0)), std::abs(omega(samples_ - 1)), 1e-300});
   }
   double sample_weight(const Surface& surface, const SurfaceAxis& axis, std::size_t n) const {
     return illumination(surface, axis.pixel_um * (static_cast<double>(first_sample_) +
@@ -188,87 +184,78 @@ class FourierAxis {
     int width = 2;
     while (width < InterpolationKernel::max_width && !(omitted(width) <= request.tolerance))
       ++width;
-    const WindowCut cut = cut_window(surface, axis, request.tolerance / 8);
-    const double middle = axis.origin, samples = cut.samples;
+    const double middle = axis.origin;
+    std::optional<WindowCut> cut;
+    if (!(omitted(width) <= request.tolerance) || width > 10)
+      cut = cut_window(surface, axis, request.tolerance / 8);
     const bool narrow_window =
-        2 * samples * request.oversampling <= 3 * static_cast<double>(axis.count);
-    if (omitted(width) <= request.tolerance && (width <= 10 || !narrow_window)) {
+        cut && 2 * cut->samples * request.oversampling <= 3 * static_cast<double>(axis.count);
+    if (omitted(width) <= request.tolerance && !narrow_window) {
       // Sum of the window over its integral: 1 unless it is about as narrow as a pixel.
       const double sum_per_integral = window_sums(surface, axis).g * axis.pixel_um /
                                       (surface.window.sigma_um() * std::sqrt(2 * pi));
-      kernel_ = InterpolationKernel::gaussian(width, sigma_bins, 1 / sum_per_integral);
-      error_bound_ = omitted(width) / sum_per_integral + 1e-15 * width;
+      chosen_.error_bound = omitted(width) / sum_per_integral + 1e-15 * width;
+      chosen_.kernel =
+          InterpolationKernel::gaussian(width, sigma_bins, 1 / sum_per_integral)
+              .shortened(2, detail::shortening_share(request.tolerance, chosen_.error_bound));
+      chosen_.error_bound += chosen_.kernel.shortening_error();
       gaussian_ = true;
       pixel_um_ = axis.pixel_um;
       samples_ = length_ = pixels_;
       centre_half_samples_ = std::lround(2 * middle);
       return;
     }
-    const long first = static_cast<long>(std::ceil(middle - samples));
-    const long last = static_cast<long>(std::floor(middle + samples));
+    const long first = static_cast<long>(std::ceil(middle - cut->samples));
+    const long last = static_cast<long>(std::floor(middle + cut->samples));
     FourierAxisRequest rest = request;
     rest.tolerance *= 0.75;
     set_samples(surface, axis, rest, first, last, axis.pixel_um * middle);
-    error_bound_ += 2 * cut.share;
+    chosen_.error_bound += 2 * cut->share;
   }
 
   /// Samples `first` to `last` about centre_um (from pixel 0), with the narrowest good kernel.
   void set_samples(const Surface& surface, const SurfaceAxis& axis,
                    const FourierAxisRequest& request, long first, long last, double centre_um) {
-    set_grid(axis.pixel_um, first, last, request.oversampling);
-    centre_half_samples_ = std::lround(2 * centre_um / axis.pixel_um) - 2 * first;
+    set_grid(axis.pixel_um, first, last, std::lround(2 * centre_um / axis.pixel_um) - 2 * first,
+             request.oversampling);
     tile_origin_ = surface.model == SurfaceModel::replicated ? 0 : axis.origin;
-    choose_kernel(request.tolerance, [&] { return mean_error(surface, axis); });
+    for (std::size_t n = 0; n < samples_; ++n) weights_.push_back(sample_weight(surface, axis, n));
+    const std::vector<double> shares = mesh_shares();
+    // The mean over the samples, each with the larger error at the mesh points on both sides.
+    chosen_ = choose_semicircle(edge(), oversampling(), request.tolerance,
+                                [&](const std::vector<double>& errors) {
+                                  double mean = 0;
+                                  for (std::size_t m = 0; m < shares.size(); ++m)
+                                    mean += shares[m] * std::max(errors[m], errors[m + 1]);
+                                  return mean;
+                                });
   }
 
-  void set_grid(double pixel_um, long first, long last, double oversampling) {
+  void set_grid(double pixel_um, long first, long last, long centre_half_samples,
+                double oversampling) {
     pixel_um_ = pixel_um;
     first_sample_ = first;
     samples_ = static_cast<std::size_t>(last - first + 1);
     length_ = fast_fourier_length(
         static_cast<std::size_t>(std::ceil(oversampling * static_cast<double>(samples_) + 1)));
+    centre_half_samples_ = centre_half_samples;
   }
 
-  template <class Error>
-  void choose_kernel(double tolerance, Error error) {
-    const double rate = pi * std::sqrt(1 - 1 / oversampling());
-    int width = std::max(2, static_cast<int>(-std::log(tolerance) / rate) - 1);
-    do {
-      kernel_ = InterpolationKernel::semicircle(width, oversampling());
-      error_bound_ = error();
-    } while (!(error_bound_ <= tolerance) && ++width <= 17);  // rounding from there on
-  }
-
-  static constexpr int mesh = 24;
-
-  /// From the centre to the farthest sample.
-  std::vector<double> mesh_omegas() const {
-    const double edge = std::max({std::abs(omega(0)), std::abs(omega(samples_ - 1)), 1e-300});
-    std::vector<double> omegas;
-    for (int m = 0; m <= mesh; ++m) omegas.push_back(edge * m / mesh);
-    return omegas;
-  }
-
-  /// sum_n w_n e(omega_n), e the larger of those at the mesh points on both sides.
-  double mean_error(const Surface& surface, const SurfaceAxis& axis) const {
-    const std::vector<double> omegas = mesh_omegas(), errors = kernel_.relative_errors(omegas);
-    const double edge = omegas.back();
-    double sum = 0, total = 0;
-    for (std::size_t n = 0; n < samples_; ++n) {
-      const double weight = sample_weight(surface, axis, n);
-      const auto m =
-          static_cast<std::size_t>(std::min(std::abs(omega(n)) / edge * mesh, mesh - 1.0));
-      sum += weight;
-      total += weight * std::max(errors[m], errors[m + 1]);
-    }
-    return total / sum;
+  /// The illumination between each mesh point and the next, of sum 1.
+  std::vector<double> mesh_shares() const {
+    std::vector<double> shares(kernel_mesh, 0.0);
+    const double sum = std::accumulate(weights_.begin(), weights_.end(), 0.0);
+    for (std::size_t n = 0; n < samples_; ++n)
+      shares[static_cast<std::size_t>(std::min(std::abs(omega(n)) / edge() * kernel_mesh,
+                                               kernel_mesh - 1.0))] += weights_[n] / sum;
+    return shares;
   }
 
   std::size_t pixels_, samples_ = 0, length_ = 0;
   long first_sample_ = 0, centre_half_samples_ = 0, first_ = 0, last_ = 0;
-  double pixel_um_ = 0, tile_origin_ = 0, error_bound_ = 0, amplification_ = 1;
+  double pixel_um_ = 0, tile_origin_ = 0, amplification_ = 1;
   bool gaussian_ = false;
-  InterpolationKernel kernel_ = InterpolationKernel::semicircle(2, 2);
+  ChosenKernel chosen_{InterpolationKernel::semicircle(2, 2), 0, 1, {}};
   std::vector<double> weights_;
   std::vector<std::complex<double>> phases_;
 };

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "brdf/chebyshev_fit.h"
 #include "brdf/units.h"
 
 namespace brdf {
@@ -34,28 +35,6 @@ inline QuadratureRule gauss_legendre(int count) {
     rule.weights.push_back(1 / ((1 - x * x) * derivative * derivative));
   }
   return rule;
-}
-
-/// Coefficients of t^0 ... t^degree of the polynomial through f at the Chebyshev nodes of [-1, 1].
-template <class Function>
-std::vector<double> fitted_polynomial(int degree, Function f) {
-  const int count = degree + 1;
-  std::vector<double> chebyshev(static_cast<std::size_t>(count), 0.0);
-  for (int k = 0; k < count; ++k) {
-    const double angle = pi * (k + 0.5) / count, value = f(std::cos(angle));
-    for (int n = 0; n < count; ++n)
-      chebyshev[static_cast<std::size_t>(n)] +=
-          (n == 0 ? 1.0 : 2.0) / count * value * std::cos(n * angle);
-  }
-  std::vector<double> previous{1}, current{0, 1}, monomials(chebyshev.size(), 0.0);
-  for (const double coefficient : chebyshev) {
-    for (std::size_t n = 0; n < previous.size(); ++n) monomials[n] += coefficient * previous[n];
-    std::vector<double> next(current.size() + 1, 0.0);  // T_{n+1} = 2 t T_n - T_{n-1}
-    for (std::size_t n = 0; n < current.size(); ++n) next[n + 1] = 2 * current[n];
-    for (std::size_t n = 0; n < previous.size(); ++n) next[n] -= previous[n];
-    previous = std::exchange(current, std::move(next));
-  }
-  return monomials;
 }
 
 }  // namespace detail
@@ -96,6 +75,44 @@ class InterpolationKernel {
   int tap_stride() const { return tap_stride_; }
   /// [piece][power][tap]
   const std::vector<double>& coefficients() const { return coefficients_; }
+
+  /// The same kernel with `split` pieces for each of its own and the lowest degree for which the
+  /// taps change by at most `tolerance` in all, at any x: fewer products a query.
+  InterpolationKernel shortened(int split, double tolerance) const {
+    const ChebyshevFit fit(degree_);
+    const int pieces = split * pieces_;
+    std::vector<std::vector<double>> series(static_cast<std::size_t>(pieces * width_));
+    // Left out of the worst piece where a degree is the last.
+    std::vector<double> left_out(fit.count(), 0.0);
+    for (int piece = 0; piece < pieces; ++piece) {
+      std::vector<std::vector<double>> at_nodes;
+      for (std::size_t k = 0; k < fit.count(); ++k)
+        at_nodes.push_back(taps((piece + (1 + fit.node(k)) / 2) / pieces));
+      std::vector<double> tail(fit.count(), 0.0);
+      for (std::size_t tap = 0; tap < static_cast<std::size_t>(width_); ++tap) {
+        std::vector<double> values;
+        for (const std::vector<double>& weights : at_nodes) values.push_back(weights[tap]);
+        auto& coefficients = series[static_cast<std::size_t>(piece * width_) + tap];
+        coefficients = fit.chebyshev(values);
+        double sum = 0;
+        for (std::size_t n = fit.count(); n-- > 1;) tail[n - 1] += sum += std::abs(coefficients[n]);
+      }
+      for (std::size_t n = 0; n < tail.size(); ++n) left_out[n] = std::max(left_out[n], tail[n]);
+    }
+    int degree = degree_;
+    while (degree > 1 && left_out[static_cast<std::size_t>(degree - 1)] <= tolerance) --degree;
+    InterpolationKernel result(width_, degree, pieces);
+    result.shortening_error_ = left_out[static_cast<std::size_t>(degree)];
+    for (int piece = 0; piece < pieces; ++piece)
+      for (int tap = 0; tap < width_; ++tap) {
+        auto& coefficients = series[static_cast<std::size_t>(piece * width_ + tap)];
+        coefficients.resize(static_cast<std::size_t>(degree) + 1);
+        result.set_polynomial(piece, tap, fit.monomials(coefficients));
+      }
+    return result;
+  }
+  /// Bound on the sum over the taps of what `shortened` has changed, at any x.
+  double shortening_error() const { return shortening_error_; }
 
   /// Weights of the taps at x in [0, 1).
   std::vector<double> taps(double x) const {
@@ -149,23 +166,30 @@ class InterpolationKernel {
   /// psi^(omega) - 1), for each omega. x is taken on a mesh, and a fifth added for what lies
   /// between its points.
   std::vector<double> relative_errors(const std::vector<double>& omegas) const {
+    return relative_errors(omegas, transform(omegas));
+  }
+  /// transforms: those of the omegas.
+  std::vector<double> relative_errors(const std::vector<double>& omegas,
+                                      const std::vector<double>& transforms) const {
     constexpr int x_count = 24;
-    const std::vector<double> transforms = transform(omegas);
     std::vector<std::vector<double>> weights;
-    for (int n = 0; n <= x_count; ++n) weights.push_back(taps(n / double{x_count}));
+    // The kernel is even: the errors at 1 - x are those at x.
+    for (int n = 0; n <= x_count / 2; ++n) weights.push_back(taps(n / double{x_count}));
     std::vector<double> worst(omegas.size(), 0.0);
     std::vector<std::complex<double>> waves(static_cast<std::size_t>(width_));
     for (std::size_t m = 0; m < omegas.size(); ++m) {
       for (int tap = 0; tap < width_; ++tap)
         waves[static_cast<std::size_t>(tap)] =
             std::polar(1 / transforms[m], omegas[m] * (tap - width_ / 2.0));
-      for (int n = 0; n <= x_count; ++n) {
+      double largest_square = 0;
+      for (int n = 0; n <= x_count / 2; ++n) {
         std::complex<double> sum = 0;
         for (std::size_t tap = 0; tap < waves.size(); ++tap)
           sum += waves[tap] * weights[static_cast<std::size_t>(n)][tap];
         const std::complex<double> exact = std::polar(1.0, -omegas[m] * n / x_count);
-        worst[m] = std::max(worst[m], 1.2 * std::abs(sum - exact));
+        largest_square = std::max(largest_square, std::norm(sum - exact));
       }
+      worst[m] = 1.2 * std::sqrt(largest_square);
     }
     return worst;
   }
@@ -173,19 +197,25 @@ class InterpolationKernel {
  private:
   template <class Function>
   InterpolationKernel(int width, int degree, int pieces, Function psi)
+      : InterpolationKernel(width, degree, pieces) {
+    const ChebyshevFit fit(degree);
+    for (int piece = 0; piece < pieces; ++piece)
+      for (int tap = 0; tap < width; ++tap)
+        set_polynomial(piece, tap, fit([&](double t) {
+                         return psi(tap - width / 2.0 + (piece + (1 + t) / 2) / pieces);
+                       }));
+  }
+
+  InterpolationKernel(int width, int degree, int pieces)
       : width_(width),
         degree_(degree),
         pieces_(pieces),
         tap_stride_((width + 7) / 8 * 8),
-        coefficients_(static_cast<std::size_t>(pieces * (degree + 1) * tap_stride_), 0.0) {
-    for (int piece = 0; piece < pieces; ++piece)
-      for (int tap = 0; tap < width; ++tap) {
-        const std::vector<double> polynomial = detail::fitted_polynomial(degree, [&](double t) {
-          return psi(tap - width / 2.0 + (piece + (1 + t) / 2) / pieces);
-        });
-        for (int power = 0; power <= degree; ++power)
-          coefficients_[index(piece, power, tap)] = polynomial[static_cast<std::size_t>(power)];
-      }
+        coefficients_(static_cast<std::size_t>(pieces * (degree + 1) * tap_stride_), 0.0) {}
+
+  void set_polynomial(int piece, int tap, const std::vector<double>& monomials) {
+    for (std::size_t power = 0; power < monomials.size(); ++power)
+      coefficients_[index(piece, static_cast<int>(power), tap)] = monomials[power];
   }
 
   /// a b of finite numbers, without the checks for infinity that std::complex makes.
@@ -198,6 +228,7 @@ class InterpolationKernel {
   }
 
   int width_, degree_, pieces_, tap_stride_;
+  double shortening_error_ = 0;
   std::vector<double> coefficients_;
 };
 

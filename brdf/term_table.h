@@ -54,18 +54,31 @@ struct PixelStrip {
   const double* first_um;
   std::ptrdiff_t stride;
   std::size_t steps;
-  const std::complex<double>* weights;  ///< one per step
-  double mid_um, per_half_range_um;     ///< s = (h - mid) per_half_range
-  double phase_per_s;                   ///< c_mid times the half range
+  const double* weights;             ///< one per step
+  double mid_um, per_half_range_um;  ///< s = (h - mid) per_half_range
 };
 
-/// The loops that take the time. `contract` sets sums[m][re, im][lane] = sum_j w_j e^{i phase s}
-/// T_m(s) for m < terms; `phases` are those of the direct sum of small requests. All are pure
-/// functions of their arguments: an amplitude depends on its query and the table only.
+/// Where pixels are spread to: samples[n * stride + m] of degree m at grid point n, stride at least
+/// `degrees` and a whole number of `step`.
+struct SpreadLine {
+  static constexpr int step = 8;
+  TableAxis axis;  ///< of the grid points, from 0
+  int degrees;
+  std::size_t stride;
+  double* samples;
+};
+
+/// The loops that take the time. `moments` sets sums[m][lane] = sum_j w_j T_m(s) for m < degrees;
+/// `spread` adds moments[m][lane] of `count` pixels at grid positions, times weights, to the grid
+/// points about them; moments up to the stride, positions and weights of all lanes can be read.
+/// `phases` are those of the direct sum of small requests. All are pure functions of their
+/// arguments: an amplitude depends on its query and the table only.
 struct SeriesKernels {
   void (*gather_float)(const TermTable<float>&, const Query*, std::size_t, std::complex<double>*);
   void (*gather_double)(const TermTable<double>&, const Query*, std::size_t, std::complex<double>*);
-  void (*contract)(const PixelStrip&, int terms, double* sums);
+  void (*moments)(const PixelStrip&, int degrees, double* sums);
+  void (*spread)(const SpreadLine&, const double* positions, const double* weights, int count,
+                 const double* moments);
   PhaseKernels phases;
   double direct_pixel_s;  ///< expected time of the direct sum per pixel and query
 };
@@ -149,32 +162,42 @@ void portable_gather(const TermTable<Real>& table, const Query* queries, std::si
 }
 
 /// See SeriesKernels.
-inline void portable_contract(const PixelStrip& strip, int terms, double* sums) {
+inline void portable_moments(const PixelStrip& strip, int degrees, double* sums) {
   constexpr int lanes = PixelStrip::lanes;
-  std::fill(sums, sums + 2 * lanes * terms, 0.0);
+  std::fill(sums, sums + lanes * degrees, 0.0);
   for (std::size_t j = 0; j < strip.steps; ++j) {
-    double re[lanes], im[lanes], s[lanes], previous[lanes], current[lanes];
+    double s[lanes], previous[lanes], current[lanes];  // times the weight
     for (int l = 0; l < lanes; ++l) {
       s[l] = (strip.first_um[static_cast<std::ptrdiff_t>(j) * strip.stride + l] - strip.mid_um) *
              strip.per_half_range_um;
-      const double phase = strip.phase_per_s * s[l];
-      const double cosine = std::cos(phase), sine = std::sin(phase);
-      re[l] = strip.weights[j].real() * cosine - strip.weights[j].imag() * sine;
-      im[l] = strip.weights[j].real() * sine + strip.weights[j].imag() * cosine;
-      previous[l] = s[l];
-      current[l] = 1;
+      previous[l] = strip.weights[j] * s[l];  // T_{-1} = T_1
+      current[l] = strip.weights[j];
     }
-    for (int m = 0; m < terms; ++m)
+    for (int m = 0; m < degrees; ++m)
       for (int l = 0; l < lanes; ++l) {
-        sums[2 * m * lanes + l] += re[l] * current[l];
-        sums[(2 * m + 1) * lanes + l] += im[l] * current[l];
+        sums[m * lanes + l] += current[l];
         previous[l] = std::exchange(current[l], 2 * s[l] * current[l] - previous[l]);
       }
   }
 }
 
+/// See SeriesKernels.
+inline void portable_spread(const SpreadLine& line, const double* positions, const double* weights,
+                            int count, const double* moments) {
+  std::vector<double> taps(InterpolationKernel::max_width);
+  for (int l = 0; l < count; ++l) {
+    double* to =
+        line.samples + detail::axis_taps(line.axis, {positions[l], 0, 0}, taps) * line.stride;
+    for (int tap = 0; tap < line.axis.width; ++tap, to += line.stride) {
+      const double share = weights[l] * taps[static_cast<std::size_t>(tap)];
+      for (int m = 0; m < line.degrees; ++m) to[m] += share * moments[m * PixelStrip::lanes + l];
+    }
+  }
+}
+
 /// Plain C++, on any machine; shedlight::kernels has the vectorised ones, the same to 1e-13.
 inline constexpr SeriesKernels portable_kernels{portable_gather<float>, portable_gather<double>,
-                                                portable_contract, portable_phase_kernels, 15e-9};
+                                                portable_moments,       portable_spread,
+                                                portable_phase_kernels, 15e-9};
 
 }  // namespace brdf

@@ -6,6 +6,7 @@
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "evaluation/kernels/series_kernels.cpp"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>  // compiles this file once per instruction set
 #include <hwy/highway.h>
 
@@ -92,27 +93,36 @@ HWY_INLINE void prepare(const TableAxis& axis, const double* qx, const double* q
         hn::IfThenElse(hn::Eq(half, hn::Floor(half)), hn::Set(d, 1.0), hn::Set(d, axis.turn_sign)),
         d, out.sign + q);
   }
-  for (int q = 0; q < block; ++q) {
-    const double* coefficients =
-        axis.coefficients + static_cast<long>(piece[q]) * (axis.degree + 1) * axis.tap_stride;
-    const Vec x = hn::Set(d, t[q]);
+  constexpr int side_by_side = 4;  // products wait for their forerunner: several queries at once
+  for (int q = 0; q < block; q += side_by_side) {
+    const double* highest[side_by_side];
+    Vec x[side_by_side];
+    for (int k = 0; k < side_by_side; ++k) {
+      const long first_power = static_cast<long>(piece[q + k]) * (axis.degree + 1);
+      highest[k] = axis.coefficients + (first_power + axis.degree) * axis.tap_stride;
+      x[k] = hn::Set(d, t[q + k]);
+    }
     for (int tap = 0; tap < axis.tap_stride; tap += lanes) {
-      Vec weight = hn::LoadU(d, coefficients + axis.degree * axis.tap_stride + tap);
-      for (int power = axis.degree - 1; power >= 0; --power)
-        weight = hn::MulAdd(weight, x, hn::LoadU(d, coefficients + power * axis.tap_stride + tap));
-      hn::StoreU(weight, d, &out.taps[q][tap]);
+      Vec weight[side_by_side];
+      for (int k = 0; k < side_by_side; ++k) weight[k] = hn::LoadU(d, highest[k] + tap);
+      for (long below = tap - axis.tap_stride; below >= tap - axis.degree * axis.tap_stride;
+           below -= axis.tap_stride)
+        for (int k = 0; k < side_by_side; ++k)
+          weight[k] = hn::MulAdd(weight[k], x[k], hn::LoadU(d, highest[k] + below));
+      for (int k = 0; k < side_by_side; ++k) hn::StoreU(weight[k], d, &out.taps[q + k][tap]);
     }
   }
 }
 
 /// sum over taps of count vectors of an entry, times T_n of the query: (re, im) added to sum.
-template <int count, class Real>
+/// planar: the outer axis has one tap, of weight 1.
+template <bool planar, int count, class Real>
 HWY_INLINE Vec gather_group(const TermTable<Real>& table, const Real* entry, std::size_t row,
                             const double* outer, const double* inner, const double* chebyshev) {
   Vec total[count];
   for (int v = 0; v < count; ++v) total[v] = hn::Zero(d);
   const std::size_t line = static_cast<std::size_t>(table.inner.count) * row;
-  for (int o = 0; o < table.outer.width; ++o) {
+  for (int o = 0; o < (planar ? 1 : table.outer.width); ++o) {
     Vec along[count];
     for (int v = 0; v < count; ++v) along[v] = hn::Zero(d);
     const Real* from = entry + static_cast<std::size_t>(o) * line;
@@ -123,7 +133,8 @@ HWY_INLINE Vec gather_group(const TermTable<Real>& table, const Real* entry, std
         along[v] = hn::MulAdd(weight, load(from + v * lanes), along[v]);
     }
     const Vec weight = hn::Set(d, outer[o]);
-    for (int v = 0; v < count; ++v) total[v] = hn::MulAdd(weight, along[v], total[v]);
+    for (int v = 0; v < count; ++v)
+      total[v] = planar ? along[v] : hn::MulAdd(weight, along[v], total[v]);
   }
   // [T_0, T_1, ...] to [T_0, T_0, T_1, T_1, ...], for (re, im).
   HWY_ALIGN hn::TFromD<decltype(di)> pairs[lanes];
@@ -138,39 +149,32 @@ HWY_INLINE Vec gather_group(const TermTable<Real>& table, const Real* entry, std
   return sum;
 }
 
-template <class Real>
+template <bool planar, class Real>
 HWY_INLINE Vec gather_some(int count, const TermTable<Real>& table, const Real* entry,
                            std::size_t row, const double* outer, const double* inner,
                            const double* chebyshev) {
   switch (count) {
     case 1:
-      return gather_group<1>(table, entry, row, outer, inner, chebyshev);
+      return gather_group<planar, 1>(table, entry, row, outer, inner, chebyshev);
     case 2:
-      return gather_group<2>(table, entry, row, outer, inner, chebyshev);
+      return gather_group<planar, 2>(table, entry, row, outer, inner, chebyshev);
     case 3:
-      return gather_group<3>(table, entry, row, outer, inner, chebyshev);
+      return gather_group<planar, 3>(table, entry, row, outer, inner, chebyshev);
     default:
-      return gather_group<4>(table, entry, row, outer, inner, chebyshev);
+      return gather_group<planar, 4>(table, entry, row, outer, inner, chebyshev);
   }
 }
 
-/// Sums over the even and over the odd lanes.
-HWY_INLINE void reduce_pairs(Vec sum, double& re, double& im) {
-  HWY_ALIGN double parts[lanes];
-#if HWY_MAX_BYTES >= 64
-  const hn::Half<D> half;
-  const hn::Half<decltype(half)> quarter;
-  const auto four = hn::Add(hn::LowerHalf(half, sum), hn::UpperHalf(half, sum));
-  hn::Store(hn::Add(hn::LowerHalf(quarter, four), hn::UpperHalf(quarter, four)), quarter, parts);
-  re += parts[0];
-  im += parts[1];
-#else
-  hn::Store(sum, d, parts);
-  for (int l = 0; l < lanes; l += 2) {
-    re += parts[l];
-    im += parts[l + 1];
+/// Adds the sums over the even and over the odd lanes to to[0] and to[1].
+template <class Lanes, class V>
+HWY_INLINE void add_pairs(Lanes tag, V sum, double* to) {
+#if HWY_TARGET != HWY_SCALAR
+  if constexpr (hn::MaxLanes(Lanes()) > 2) {
+    const hn::Half<Lanes> half;
+    return add_pairs(half, hn::Add(hn::LowerHalf(half, sum), hn::UpperHalf(half, sum)), to);
   }
 #endif
+  hn::Store(hn::Add(hn::Load(tag, to), sum), tag, to);
 }
 
 /// T_n, and the step to the next; twice_tau is 2 tau.
@@ -192,9 +196,9 @@ HWY_INLINE Vec basis_term(const TermTable<Real>& table, int r, const double* pow
   return sum;
 }
 
-template <class Real>
+template <bool planar, class Real>
 HWY_INLINE void gather_block(const TermTable<Real>& table, const Query* queries, double* out) {
-  HWY_ALIGN double qx[block], qy[block], re[block] = {}, im[block] = {};
+  HWY_ALIGN double qx[block], qy[block], sums[2 * block] = {};  // (re, im) of each query
   Vec tau[block / lanes], previous[block / lanes], current[block / lanes], phase[block / lanes];
   bool far = false;
   for (int q = 0, g = 0; q < block; q += lanes, ++g) {
@@ -215,7 +219,7 @@ HWY_INLINE void gather_block(const TermTable<Real>& table, const Query* queries,
   prepare(table.outer, qx, qy, outer);
   prepare(table.inner, qx, qy, inner);
   const auto row = static_cast<std::size_t>(2 * ((table.terms + 3) / 4 * 4));
-  const int vectors = static_cast<int>(row) / lanes, terms_per_group = group * lanes / 2;
+  const int vectors = static_cast<int>(row) / lanes;
   // [four terms][query][term], and what a load of whole vectors reads past it.
   constexpr int size = group * lanes / 2 * block;
   HWY_ALIGN double chebyshev[size + block];
@@ -226,7 +230,8 @@ HWY_INLINE void gather_block(const TermTable<Real>& table, const Query* queries,
       for (int q = 0, g = 0; q < block; q += lanes, ++g)
         hn::Store(next_chebyshev(tau[g], current[g], previous[g]), d, powers + n * block + q);
   for (int v = 0; v < vectors; v += group) {
-    for (int n = 0; n < terms_per_group; n += 4)
+    const int count = vectors - v < group ? vectors - v : group;
+    for (int n = 0; n < count * lanes / 2; n += 4)
       for (int q = 0, g = 0; q < block; q += lanes, ++g) {
         Vec u[4];
         for (int k = 0; k < 4; ++k)
@@ -234,7 +239,6 @@ HWY_INLINE void gather_block(const TermTable<Real>& table, const Query* queries,
                                         : next_chebyshev(tau[g], current[g], previous[g]);
         hn::StoreInterleaved4(u[0], u[1], u[2], u[3], d, chebyshev + n * block + 4 * q);
       }
-    const int count = vectors - v < group ? vectors - v : group;
     for (int q = 0; q < block; ++q) {
       const Real* entry =
           table.entries +
@@ -242,9 +246,9 @@ HWY_INLINE void gather_block(const TermTable<Real>& table, const Query* queries,
            static_cast<std::size_t>(inner.first[q])) *
               row +
           static_cast<std::size_t>(v * lanes);
-      const Vec sum =
-          gather_some(count, table, entry, row, outer.taps[q], inner.taps[q], chebyshev + 4 * q);
-      reduce_pairs(sum, re[q], im[q]);
+      const Vec sum = gather_some<planar>(count, table, entry, row, outer.taps[q], inner.taps[q],
+                                          chebyshev + 4 * q);
+      add_pairs(d, sum, sums + 2 * q);
     }
   }
   for (int q = 0, g = 0; q < block; q += lanes, ++g) {
@@ -259,19 +263,21 @@ HWY_INLINE void gather_block(const TermTable<Real>& table, const Query* queries,
       turn = {hn::Load(d, sine), hn::Load(d, cosine)};
     }
     const Vec sign = hn::Mul(hn::Load(d, outer.sign + q), hn::Load(d, inner.sign + q));
-    const Vec a = hn::Mul(sign, hn::Load(d, re + q)), b = hn::Mul(sign, hn::Load(d, im + q));
+    Vec re, im;
+    hn::LoadInterleaved2(d, sums + 2 * q, re, im);
+    const Vec a = hn::Mul(sign, re), b = hn::Mul(sign, im);
     hn::StoreInterleaved2(hn::Sub(hn::Mul(a, turn.cosine), hn::Mul(b, turn.sine)),
                           hn::Add(hn::Mul(a, turn.sine), hn::Mul(b, turn.cosine)), d, out + 2 * q);
   }
 }
 
-template <class Real>
-HWY_INLINE void gather(const TermTable<Real>& table, const Query* queries, std::size_t count,
-                       std::complex<double>* amplitudes) {
+template <bool planar, class Real>
+HWY_INLINE void gather_blocks(const TermTable<Real>& table, const Query* queries, std::size_t count,
+                              std::complex<double>* amplitudes) {
   auto* out = reinterpret_cast<double*>(amplitudes);
   std::size_t first = 0;
   for (; first + block <= count; first += block)
-    gather_block(table, queries + first, out + 2 * first);
+    gather_block<planar>(table, queries + first, out + 2 * first);
   if (first == count) return;
   // The last ones once more through the same instructions: a query's bits never depend on its
   // place.
@@ -279,8 +285,17 @@ HWY_INLINE void gather(const TermTable<Real>& table, const Query* queries, std::
   double results[2 * block];
   for (std::size_t q = 0; q < block; ++q)
     rest[q] = queries[first + q < count ? first + q : count - 1];
-  gather_block(table, rest, results);
+  gather_block<planar>(table, rest, results);
   for (std::size_t q = 0; q < 2 * (count - first); ++q) out[2 * first + q] = results[q];
+}
+
+template <class Real>
+HWY_INLINE void gather(const TermTable<Real>& table, const Query* queries, std::size_t count,
+                       std::complex<double>* amplitudes) {
+  if (table.outer.width == 1)
+    gather_blocks<true>(table, queries, count, amplitudes);
+  else
+    gather_blocks<false>(table, queries, count, amplitudes);
 }
 
 void gather_float(const TermTable<float>& table, const Query* queries, std::size_t count,
@@ -295,46 +310,68 @@ void gather_double(const TermTable<double>& table, const Query* queries, std::si
 
 /// `unrolled` steps of one vector of lanes: the sums are loaded and stored once for all of them.
 template <int unrolled>
-HWY_INLINE void contract_steps(const PixelStrip& strip, const double* from, std::size_t step,
-                               int terms, double* sums) {
-  Vec re[unrolled], im[unrolled], twice[unrolled], previous[unrolled], current[unrolled];
+HWY_INLINE void moment_steps(const PixelStrip& strip, const double* from, std::size_t step,
+                             int degrees, double* sums) {
+  Vec twice[unrolled], previous[unrolled], current[unrolled];  // the latter times the weight
+  // Each step may lie in a page of its own, where no hardware looks ahead.
+  const std::size_t left = strip.steps - step;
+  const std::size_t ahead = step + (left < 3 * unrolled ? left - unrolled : 2 * unrolled);
   for (int u = 0; u < unrolled; ++u) {
-    const auto* weight = reinterpret_cast<const double*>(strip.weights + step + u);
+    hwy::Prefetch(from + static_cast<std::ptrdiff_t>(ahead + u) * strip.stride + lanes - 1);
     const Vec h = hn::LoadU(d, from + static_cast<std::ptrdiff_t>(step + u) * strip.stride);
     const Vec s =
         hn::Mul(hn::Sub(h, hn::Set(d, strip.mid_um)), hn::Set(d, strip.per_half_range_um));
-    const SineCosine turn = turned(hn::Mul(hn::Set(d, strip.phase_per_s), s));
-    const Vec a = hn::Set(d, weight[0]), b = hn::Set(d, weight[1]);
-    re[u] = hn::NegMulAdd(b, turn.sine, hn::Mul(a, turn.cosine));
-    im[u] = hn::MulAdd(b, turn.cosine, hn::Mul(a, turn.sine));
     twice[u] = hn::Add(s, s);
-    previous[u] = s;  // T_{-1} = T_1
-    current[u] = hn::Set(d, 1.0);
+    current[u] = hn::Set(d, strip.weights[step + u]);
+    previous[u] = hn::Mul(current[u], s);  // T_{-1} = T_1
   }
-  for (int m = 0; m < terms; ++m, sums += 2 * PixelStrip::lanes) {
-    Vec sum_re = hn::LoadU(d, sums), sum_im = hn::LoadU(d, sums + PixelStrip::lanes);
+  for (int m = 0; m < degrees; ++m, sums += PixelStrip::lanes) {
+    Vec part[unrolled];
     for (int u = 0; u < unrolled; ++u) {
-      sum_re = hn::MulAdd(re[u], current[u], sum_re);
-      sum_im = hn::MulAdd(im[u], current[u], sum_im);
-      const Vec next = hn::MulSub(twice[u], current[u], previous[u]);
-      previous[u] = current[u];
-      current[u] = next;
+      part[u] = current[u];
+      current[u] = hn::MulSub(twice[u], current[u], previous[u]);
+      previous[u] = part[u];
     }
-    hn::StoreU(sum_re, d, sums);
-    hn::StoreU(sum_im, d, sums + PixelStrip::lanes);
+    // In pairs: one long chain of sums would take longer than the products.
+    for (int half = unrolled / 2; half > 0; half /= 2)
+      for (int u = 0; u < half; ++u) part[u] = hn::Add(part[u], part[u + half]);
+    hn::StoreU(hn::Add(hn::LoadU(d, sums), part[0]), d, sums);
   }
 }
 
-void contract(const PixelStrip& strip, int terms, double* sums) {
-  for (int i = 0; i < 2 * PixelStrip::lanes * terms; ++i) sums[i] = 0;
-  // Five vectors a step have to stay in registers: 32 of them with AVX-512, 16 else.
-  constexpr int unrolled = lanes == 8 ? 4 : 2;
+void moments(const PixelStrip& strip, int degrees, double* sums) {
+  for (int i = 0; i < PixelStrip::lanes * degrees; ++i) sums[i] = 0;
+  // Three vectors a step have to stay in registers: 32 of them with AVX-512, 16 else.
+  constexpr int unrolled = lanes == 8 ? 8 : 4;
   for (int lane = 0; lane < PixelStrip::lanes; lane += lanes) {
     std::size_t step = 0;
     for (; step + unrolled <= strip.steps; step += unrolled)
-      contract_steps<unrolled>(strip, strip.first_um + lane, step, terms, sums + lane);
+      moment_steps<unrolled>(strip, strip.first_um + lane, step, degrees, sums + lane);
     for (; step < strip.steps; ++step)
-      contract_steps<1>(strip, strip.first_um + lane, step, terms, sums + lane);
+      moment_steps<1>(strip, strip.first_um + lane, step, degrees, sums + lane);
+  }
+}
+
+void spread(const brdf::SpreadLine& line, const double* positions, const double* weights, int count,
+            const double* moments) {
+  static_assert(PixelStrip::lanes == block && brdf::SpreadLine::step % lanes == 0);
+  HWY_ALIGN double along[block], across[block] = {};
+  for (int l = 0; l < block; ++l) along[l] = positions[l];
+  AxisBlock axis;
+  prepare(line.axis, along, across, axis);
+  HWY_ALIGN hn::TFromD<decltype(di)> rows[lanes];
+  for (int m = 0; m < lanes; ++m) rows[m] = m * PixelStrip::lanes;
+  const auto degree = hn::Load(di, rows);
+  for (int l = 0; l < count; ++l) {
+    double* const first = line.samples + static_cast<std::size_t>(axis.first[l]) * line.stride;
+    const Vec weight = hn::Set(d, weights[l]);
+    for (int m = 0; m < line.degrees; m += lanes) {
+      const Vec pixel =
+          hn::Mul(weight, hn::GatherIndex(d, moments + m * PixelStrip::lanes + l, degree));
+      double* to = first + m;
+      for (int tap = 0; tap < line.axis.width; ++tap, to += line.stride)
+        hn::StoreU(hn::MulAdd(hn::Set(d, axis.taps[l][tap]), pixel, hn::LoadU(d, to)), d, to);
+    }
   }
 }
 
@@ -351,26 +388,16 @@ namespace evaluation {
 
 HWY_EXPORT(gather_float);
 HWY_EXPORT(gather_double);
-HWY_EXPORT(contract);
+HWY_EXPORT(moments);
+HWY_EXPORT(spread);
 HWY_EXPORT(target_name);
-
-namespace {
-
-void best_contract(const brdf::PixelStrip& strip, int terms, double* sums) {
-  constexpr double max_phase_rad = 1e5;  // the reach of sine_cosine, |s| <= 1
-  if (!(std::abs(strip.phase_per_s) <= max_phase_rad))
-    return brdf::portable_contract(strip, terms, sums);
-  HWY_DYNAMIC_DISPATCH(contract)(strip, terms, sums);
-}
-
-}  // namespace
 
 const brdf::SeriesKernels& vectorised_kernels() {
   static const brdf::SeriesKernels kernels = [] {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     return brdf::SeriesKernels{&HWY_DYNAMIC_DISPATCH(gather_float),
-                               &HWY_DYNAMIC_DISPATCH(gather_double), best_contract,
-                               vectorised_phase_kernels(),
+                               &HWY_DYNAMIC_DISPATCH(gather_double), &HWY_DYNAMIC_DISPATCH(moments),
+                               &HWY_DYNAMIC_DISPATCH(spread), vectorised_phase_kernels(),
                                // A sine, a cosine and two products; benchmarks/results.
                                1.1e-9};
   }();

@@ -247,8 +247,25 @@ TEMPLATE_TEST_CASE("amplitudes stay finite and at most 1 near the horizon",
 TEST_CASE("bounds need queries, all of them finite", "[amplitude][invariant]") {
   CHECK_ERROR(brdf::bounds_of({}, 1e-6), brdf::Errc::invalid_argument, "at least one");
   for (const double bad :
-       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-    const std::vector<Query> queries{{1, 2, 3}, {1, bad, 3}};
-    CHECK_ERROR(brdf::bounds_of(queries, 1e-6), brdf::Errc::invalid_argument, "not finite");
-  }
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+        -std::numeric_limits<double>::infinity()})
+    for (std::size_t count : {1, 2, 3, 4, 5, 8, 9})
+      for (std::size_t at = 0; at < count; ++at)
+        for (double Query::*component : {&Query::qx_per_um, &Query::qy_per_um, &Query::c_per_um}) {
+          std::vector<Query> queries(count, Query{1, 2, 3});
+          queries[at].*component = bad;
+          CHECK_ERROR(brdf::bounds_of(queries, 1e-6), brdf::Errc::invalid_argument, "not finite");
+        }
+}
+
+TEST_CASE("the outermost query may be any of them", "[amplitude][invariant]") {
+  for (std::size_t count : {1, 2, 3, 4, 5, 8, 9})
+    for (std::size_t at = 0; at < count; ++at)
+      for (double Query::*component : {&Query::qx_per_um, &Query::qy_per_um, &Query::c_per_um})
+        for (const double far : {-7.0, 7.0}) {
+          std::vector<Query> queries(count, Query{1, 2, 3});
+          queries[at].*component = far;
+          const QueryBounds bounds = brdf::bounds_of(queries, 1e-6);
+          CHECK((far < 0 ? bounds.lo : bounds.hi).*component == far);
+        }
 }

@@ -56,3 +56,23 @@ TEST_CASE("gaussian taps, from far narrower than the grid to wide",
     }
   }
 }
+
+TEST_CASE("a shortened kernel differs by no more than it says", "[interpolation_kernel][oracle]") {
+  const int split = GENERATE(1, 2, 4);
+  const double tolerance = GENERATE(0.0, 1e-13, 1e-9, 1e-6, 1e-3);
+  const InterpolationKernel kernel = GENERATE(
+      InterpolationKernel::semicircle(7, 4), InterpolationKernel::semicircle(12, 2),
+      InterpolationKernel::gaussian(7, 0.6366, 1), InterpolationKernel::gaussian(9, 0.1, 1));
+  const InterpolationKernel shortened = kernel.shortened(split, tolerance);
+  CAPTURE(split, tolerance, kernel.degree(), shortened.degree());
+  CHECK(shortened.width() == kernel.width());
+  CHECK(shortened.pieces() == split * kernel.pieces());
+  CHECK(shortened.shortening_error() <= tolerance);
+  if (split > 1 && tolerance >= 1e-9) CHECK(shortened.degree() < kernel.degree());
+  for (double x = 0; x < 1; x += 1.0 / 512) {
+    const std::vector<double> before = kernel.taps(x), after = shortened.taps(x);
+    double sum = 0;
+    for (std::size_t tap = 0; tap < before.size(); ++tap) sum += std::abs(after[tap] - before[tap]);
+    CHECK(sum <= shortened.shortening_error() + 1e-14);  // rounding of a dozen taps
+  }
+}

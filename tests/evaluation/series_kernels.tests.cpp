@@ -1,6 +1,7 @@
 // The vectorised loops of the Chebyshev series against the portable ones.
 #include "evaluation/kernels/series_kernels.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <complex>
@@ -106,4 +107,84 @@ TEST_CASE("vectorised amplitudes keep the tolerance", "[series_kernels][oracle]"
                                                .plan(surface, many(some, tolerance)),
                                            some),
                              reference) <= tolerance);
+}
+
+TEST_CASE("moments are sums of weighted Chebyshev polynomials", "[series_kernels][oracle]") {
+  constexpr std::size_t lanes = PixelStrip::lanes;
+  constexpr double mid_um = 0.3, half_um = 0.2;
+  const auto steps = GENERATE(std::size_t{1}, std::size_t{7}, std::size_t{8}, std::size_t{37});
+  const int degrees = GENERATE(1, 2, 10, 40);
+  CAPTURE(steps, degrees, seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<double> heights_um(steps * (lanes + 3)), weights(steps);
+  for (double& h : heights_um) h = mid_um + half_um * uniform(random);
+  for (double& weight : weights) weight = uniform(random);
+  const PixelStrip strip{
+      heights_um.data(), static_cast<std::ptrdiff_t>(lanes + 3), steps, weights.data(), mid_um,
+      1 / half_um};
+  const auto size = static_cast<std::size_t>(degrees) * lanes;
+  std::vector<double> portable(size, -1.0), vectorised(size, -1.0);
+  portable_kernels.moments(strip, degrees, portable.data());
+  evaluation::vectorised_kernels().moments(strip, degrees, vectorised.data());
+  for (std::size_t m = 0; m < static_cast<std::size_t>(degrees); ++m)
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      double exact = 0;
+      for (std::size_t j = 0; j < steps; ++j) {
+        const double s = (heights_um[j * (lanes + 3) + lane] - mid_um) / half_um;
+        exact +=
+            weights[j] * std::cos(static_cast<double>(m) * std::acos(std::clamp(s, -1.0, 1.0)));
+      }
+      // T_m has a slope of up to m^2 and s is rounded: 1e-16 m^2 a step.
+      const double tolerance =
+          1e-15 * static_cast<double>(steps) * (1 + static_cast<double>(m * m));
+      CHECK(std::abs(portable[m * lanes + lane] - exact) <= tolerance);
+      CHECK(std::abs(vectorised[m * lanes + lane] - exact) <= tolerance);
+    }
+}
+
+TEST_CASE("pixels are spread as by the portable loop", "[series_kernels][oracle]") {
+  constexpr std::size_t lanes = PixelStrip::lanes;
+  constexpr std::size_t points = 40;
+  const int degrees = GENERATE(1, 8, 11, 30);
+  const int width = GENERATE(3, 7, 12);
+  const int count = GENERATE(1, 5, 8);
+  CAPTURE(degrees, width, count, seed);
+  const InterpolationKernel kernel = InterpolationKernel::semicircle(width, 4).shortened(4, 1e-9);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const auto stride = static_cast<std::size_t>((degrees + 7) / 8 * 8);
+  std::vector<double> moments(stride * lanes, 0.0), positions(lanes), weights(lanes);
+  for (std::size_t n = 0; n < static_cast<std::size_t>(degrees) * lanes; ++n)
+    moments[n] = uniform(random);
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    positions[lane] = 8 + 20 * uniform(random);
+    weights[lane] = uniform(random);
+  }
+  const auto spread = [&](const SeriesKernels& kernels) {
+    std::vector<double> samples(points * stride, 0.25);
+    const SpreadLine line{{1, 0, 0, points, width, kernel.degree(), kernel.pieces(),
+                           kernel.tap_stride(), kernel.coefficients().data(), points, 1},
+                          degrees,
+                          stride,
+                          samples.data()};
+    kernels.spread(line, positions.data(), weights.data(), count, moments.data());
+    return samples;
+  };
+  const std::vector<double> portable = spread(portable_kernels),
+                            vectorised = spread(evaluation::vectorised_kernels());
+  for (std::size_t m = 0; m < static_cast<std::size_t>(degrees); ++m)
+    for (std::size_t n = 0; n < points; ++n) {
+      double exact = 0.25;
+      for (std::size_t lane = 0; lane < static_cast<std::size_t>(count); ++lane) {
+        const double start = positions[lane] - width / 2.0, k0 = std::ceil(start);
+        const double tap = static_cast<double>(n) - k0;
+        if (tap >= 0 && tap < width)
+          exact += weights[lane] * moments[m * lanes + lane] *
+                   kernel.taps(k0 - start)[static_cast<std::size_t>(tap)];
+      }
+      // A few roundings of at most eight terms below 1.
+      CHECK(std::abs(portable[n * stride + m] - exact) <= 4e-15);
+      CHECK(std::abs(vectorised[n * stride + m] - exact) <= 4e-15);
+    }
 }
