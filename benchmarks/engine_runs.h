@@ -6,7 +6,6 @@
 #include <complex>
 #include <functional>
 #include <span>
-#include <thread>
 #include <vector>
 
 #include "benchmarks/stopwatch.h"
@@ -46,11 +45,7 @@ double evaluate(const Plan& plan, std::span<const brdf::Query> queries,
     plan.evaluate(queries.subspan(first, end - first), amplitudes.subspan(first, end - first));
     each_s[t] = watch.seconds();
   };
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t t = 1; t < run.threads; ++t) others.emplace_back(share, t);
-    share(0);
-  }
+  evaluation::parallel_for(run.threads, static_cast<int>(run.threads), share);
   return run.time == Time::of_wall ? all.seconds()
                                    : *std::max_element(each_s.begin(), each_s.end());
 }

@@ -6,6 +6,7 @@
 #include <complex>
 #include <cstddef>
 #include <memory>
+#include <new>
 
 #include "benchmarks/sources_algorithm.h"
 
@@ -46,14 +47,17 @@ class Fourier {
   fftw_plan double_ = nullptr;
 };
 
-struct FftwFree {
-  void operator()(void* memory) const { fftw_free(memory); }
+/// What whole cache lines need; more than FFTW's own memory promises.
+inline constexpr std::align_val_t cache_line{64};
+
+struct Free {
+  void operator()(void* memory) const { ::operator delete(memory, cache_line); }
 };
 template <class T>
-using Memory = std::unique_ptr<T[], FftwFree>;
+using Memory = std::unique_ptr<T[], Free>;
 template <class T>
 Memory<T> memory(std::size_t count) {
-  return Memory<T>(static_cast<T*>(fftw_malloc(sizeof(T) * count)));
+  return Memory<T>(static_cast<T*>(::operator new(sizeof(T) * count, cache_line)));
 }
 
 }  // namespace benchmarks

@@ -2,9 +2,12 @@
 //
 // What is compared is timed in turn, A B A B, and medians are taken, so that a change in the load
 // of the machine falls on both sides.
+#include <malloc.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <string>
 #include <thread>
 
@@ -41,6 +44,10 @@ int main() {
   const benchmarks::Stopwatch wall(benchmarks::Time::of_wall), processor;
   benchmarks::RatioTable table;
   benchmarks::memory_of_a_scan(table);
+  // From here on memory once taken is kept: fresh pages cost several times more on some virtual
+  // machines than on others, and both sides of every comparison take some in each run.
+  mallopt(M_MMAP_THRESHOLD, 1 << 30);
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
   benchmarks::against_the_sources(table);
   benchmarks::tolerances_and_threads(table);
   benchmarks::query_rates(table);

@@ -1,7 +1,7 @@
 // The method that is exact to a tolerance: a Chebyshev series in the height and in k w.
 #pragma once
 
-#include <cmath>
+#include <algorithm>
 #include <complex>
 #include <cstddef>
 #include <limits>
@@ -44,18 +44,28 @@ class ChebyshevSeriesPlan {
 
   /// Throws Errc::invalid_argument for a query outside the plan's bounds.
   void evaluate(std::span<const Query> queries, std::span<std::complex<double>> amplitudes) const {
-    require_within_bounds(queries);
-    if (direct_) return direct_->evaluate(queries, amplitudes);
+    if (direct_) {
+      require_within_bounds(queries);
+      return direct_->evaluate(queries, amplitudes);
+    }
     const auto gather = [&](std::span<const Query> some, std::span<std::complex<double>> out) {
       if (single_)
         kernels_.gather_float(single_->view(), some.data(), some.size(), out.data());
       else
         kernels_.gather_double(double_->view(), some.data(), some.size(), out.data());
     };
-    if (parts_.path == SeriesPath::general)
+    if (parts_.path == SeriesPath::general) {
+      require_within_bounds(queries);
       in_tile_order(queries, amplitudes, single_ ? single_->tiles() : double_->tiles(), gather);
-    else
-      gather(queries, amplitudes);
+    } else {
+      // Piece by piece, so that queries are fetched once for the check and the gather.
+      constexpr std::size_t piece = 1024;
+      for (std::size_t first = 0; first < queries.size(); first += piece) {
+        const std::size_t count = std::min(piece, queries.size() - first);
+        require_within_bounds(queries.subspan(first, count));
+        gather(queries.subspan(first, count), amplitudes.subspan(first, count));
+      }
+    }
     if (line_)
       for (std::size_t i = 0; i < queries.size(); ++i)
         amplitudes[i] *= line_->correction(queries[i]);
