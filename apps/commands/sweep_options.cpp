@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "apps/memory_limit.h"
 #include "apps/quantities.h"
 #include "brdf/error.h"
 #include "evaluation/sweep.h"
@@ -56,6 +57,7 @@ void require_consistent(const SweepOptions& options, const evaluation::Method& m
       refuse(option + " has no meaning for --method " + std::string(method.name) +
              "; it goes with --method " + evaluation::methods_with(knob));
   };
+  if (options.tables.given()) require_knob("--tables", evaluation::Knob::power_spectra);
   if (options.settings.terms) require_knob("--terms", evaluation::Knob::terms);
   if (options.settings.radius_sigma_f)
     require_knob("--window-radius", evaluation::Knob::window_radius);
@@ -73,12 +75,14 @@ void require_consistent(const SweepOptions& options, const evaluation::Method& m
 void SweepOptions::resolve() {
   if (preset == Preset::thesis) fill_in_thesis(*this);
   // Who gives the knobs of the Taylor series means the Taylor series.
-  if (!method) method = settings.terms || settings.radius_sigma_f ? "taylor" : "auto";
+  if (!method)
+    method = settings.terms || settings.radius_sigma_f || tables.given() ? "taylor" : "auto";
   if (replicas && !model) model = SurfaceModel::replicated;
   const evaluation::Method& chosen = evaluation::method_named(*method);
   model = surface_model(chosen, model);
   require_consistent(*this, chosen);
   selection.require_consistent();
+  tables.require_consistent(output);
   if (!quantity) quantity = Quantity::relative;
 }
 
@@ -159,8 +163,7 @@ void add_run(CLI::App* sweep, SweepOptions& options) {
   add_choice(sweep, "--layout", options.layout, layout_choices, "of the CSV (default matrix)");
   add_parsed(sweep, "--threads", options.settings.threads, count_between(1, 1024),
              "threads (default: all); the result does not depend on them", "N");
-  add_parsed(sweep, "--memory-limit", options.memory_limit, parse_bytes,
-             "refuse what needs more (default 80 % of the machine's)", "BYTES");
+  add_memory_limit(sweep, options.memory_limit);
   add_parsed(sweep, "--time-limit", options.time_limit, parse_duration, "give up after this",
              "TIME");
   sweep->add_flag("--strict", options.strict,
@@ -173,6 +176,7 @@ void add_run(CLI::App* sweep, SweepOptions& options) {
 void SweepOptions::add_to(CLI::App* sweep) {
   settings.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   heights.add_to(sweep);
+  tables.add_to(sweep);
   add_scene(sweep, *this);
   add_method(sweep, *this);
   selection.add_to(sweep);
