@@ -43,6 +43,8 @@ class PowerSpectra {
   virtual void visit(int terms, const Visit& visit) const = 0;
   /// Bytes that a visit takes beside what is held anyway.
   virtual std::size_t visit_bytes() const = 0;
+  /// Bound on what keeping has changed in a value, over the number of pixels (the largest value).
+  virtual double value_error() const { return 0; }
 };
 
 /// Computes each transform when it is asked for. Refers to heights that must outlive it.

@@ -34,8 +34,9 @@ class PqSeriesPlan {
         table_(*surface.heights, bounds, x(surface, bounds, interpolation),
                y(surface, bounds, interpolation), spectra, terms) {
     const double depth = bounds.max_abs_c_per_um() * surface.heights->half_range_um();
-    report_ = {error_bound(bounds, depth, terms), input_phase_error_rad(*surface.heights, bounds),
-               terms, 0, table_.bytes() + table_.x().bins.bytes() + table_.y().bins.bytes()};
+    report_ = {error_bound(bounds, depth, terms, spectra.value_error()),
+               input_phase_error_rad(*surface.heights, bounds), terms, 0,
+               table_.bytes() + table_.x().bins.bytes() + table_.y().bins.bytes()};
   }
 
   void evaluate(std::span<const Query> queries, std::span<std::complex<double>> amplitudes) const {
@@ -88,14 +89,20 @@ class PqSeriesPlan {
 
   /// Of the series, through weights that may enlarge it; of the sums over the neighbours; of what
   /// an interpolation is off along one axis, then along the other; of the frequency.
-  double error_bound(const QueryBounds& bounds, double depth, int terms) const {
+  double error_bound(const QueryBounds& bounds, double depth, int terms, double value_error) const {
     const auto along_x = copies_x_.deviation(table_.x());
     const auto along_y = copies_y_.deviation(table_.y());
     return along_x.norm * along_y.norm *
                (taylor_remainder_bound(depth, terms) +
+                kept_values_bound(value_error, depth, stencil()) +
                 (1 + products()) * taylor_rounding_bound(depth)) +
            along_x.error * along_y.norm + along_y.error +
            gather_rounding_bound(bounds, copies_x_.reach_um(), copies_y_.reach_um());
+  }
+
+  double stencil() const {
+    return static_cast<double>(table_.x().bins.stencil()) *
+           static_cast<double>(table_.y().bins.stencil());
   }
 
   /// Added up one after another, for the tables and for a query.
@@ -117,14 +124,14 @@ class PqSeriesPlan {
 ///
 /// Surface model: replicated. Error, reported by the plan: taylor_remainder_bound and
 /// taylor_rounding_bound, the latter once more for each product of a sum, gather_rounding_bound,
-/// and for an interpolation that is not exact its deviation, for any tile at most: 0.86 of the peak
-/// (nearest), 0.48 (linear), 0.39 (sinc) in a plane of incidence, twice that with both axes,
-/// falling with the copies: at the orders every choice is exact. Measured against the direct sum
-/// in pq_series.tests.cpp.
-/// Cost: as TaylorTable with 1, 2, 3 or all bins an axis; one bin on an axis whose frequency does
-/// not change. Errc::invalid_argument: terms < 1, replicas < 1. Errc::not_attainable: the tolerance
-/// needs more than max_taylor_terms, or more than the spectra have. Errc::bad_input: the spectra
-/// are of another surface.
+/// for spectra that were kept rounded kept_values_bound, and for an interpolation that is not exact
+/// its deviation, for any tile at most: 0.86 of the peak (nearest), 0.48 (linear), 0.39 (sinc) in a
+/// plane of incidence, twice that with both axes, falling with the copies: at the orders every
+/// choice is exact. Measured against the direct sum in pq_series.tests.cpp. Cost: as TaylorTable
+/// with 1, 2, 3 or all bins an axis; one bin on an axis whose frequency does not change.
+/// Errc::invalid_argument: terms < 1, replicas < 1. Errc::not_attainable: the tolerance needs more
+/// than max_taylor_terms, or more than the spectra have. Errc::bad_input: the spectra are of
+/// another surface.
 class PqSeries {
  public:
   explicit PqSeries(const PqSettings& settings = {}) : settings_(settings) {

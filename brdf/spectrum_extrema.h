@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <span>
 
 #include "brdf/error.h"
@@ -47,6 +48,17 @@ inline double normalised(double value, const Extrema& extrema) {
 /// printed x max + min (Errata E24) is off by x min.
 inline double rescaled(double value, const Extrema& extrema) {
   return value * extrema.range() + extrema.min;
+}
+
+/// Bound on what `rescaled` of `normalised` changes in a value: nothing where all are the same.
+inline double rescaling_bound(const Extrema& extrema) {
+  constexpr double rounding = std::numeric_limits<double>::epsilon();
+  if (!(extrema.range() > 0)) return 0;
+  return 2 * rounding * extrema.range() +
+         rounding * std::max(std::abs(extrema.min), std::abs(extrema.max));
+}
+inline double rescaling_bound(const SpectrumExtrema& extrema) {
+  return std::hypot(rescaling_bound(extrema.re), rescaling_bound(extrema.im));
 }
 
 /// Real and imaginary part alike.

@@ -26,6 +26,13 @@ inline double taylor_rounding_bound(double x) {
   return std::numeric_limits<double>::epsilon() / 2 * std::exp(std::abs(x));
 }
 
+/// Bound on what an error of each value kept (see PowerSpectra::value_error) makes of the series,
+/// where a query reads `bins` values with weights whose squares sum to at most 1: the root of the
+/// number by Cauchy-Schwarz, e^x for all powers together.
+inline double kept_values_bound(double value_error, double x, double bins) {
+  return value_error > 0 ? value_error * std::exp(std::abs(x)) * std::sqrt(bins) : 0.0;
+}
+
 /// Bound on the rounding of the frequency and of the gathered weights; reach: largest
 /// abs(da/dq) along each axis [um], the mean distance from the origin of what is lit.
 inline double gather_rounding_bound(const QueryBounds& bounds, double x_reach_um,

@@ -36,6 +36,7 @@ class TaylorSeriesPlan {
     const double sigma_um = surface.window.sigma_um();
     report_ = {taylor_remainder_bound(depth, terms) + taylor_rounding_bound(depth) +
                    omitted_neighbours_bound(table_.x().bins, table_.y().bins) +
+                   kept_values_bound(spectra.value_error(), depth, neighbours()) * weight_norm() +
                    gather_rounding_bound(bounds, sigma_um, sigma_um),
                input_phase_error_rad(*surface.heights, bounds), terms, radius_sigma_f,
                table_.bytes()};
@@ -55,6 +56,13 @@ class TaylorSeriesPlan {
   }
 
  private:
+  double neighbours() const {
+    return static_cast<double>(table_.x().bins.max_count() * table_.y().bins.max_count());
+  }
+  double weight_norm() const {
+    return std::sqrt(table_.x().bins.weight_energy() * table_.y().bins.weight_energy());
+  }
+
   using Axis = BinAxis<PeriodicBins>;
   static Axis x(const Surface& surface, const QueryBounds& bounds, double radius_sigma_f) {
     return {{surface.window, x_axis(surface), radius_sigma_f},
@@ -77,12 +85,13 @@ class TaylorSeriesPlan {
 /// Heights are taken from the middle of their range and scaled to [-1, 1], which makes the
 /// remainder smallest and keeps every power in range. Surface model: periodic.
 /// Error: taylor_remainder_bound + taylor_rounding_bound + omitted_neighbours_bound +
-/// gather_rounding_bound, reported by the plan; the rounding e^x / 2^53 makes the series useless
+/// gather_rounding_bound, and kept_values_bound for spectra that were kept rounded, reported by the
+/// plan; the rounding e^x / 2^53 makes the series useless
 /// beyond phases x = c h / 2 of about 30 however many terms are taken. Cost: N transforms, then N x
 /// neighbours products a query. Errc::invalid_argument: terms < 1, radius not > 0.
 /// Errc::not_attainable: the tolerance needs more than max_terms, or more than the spectra have.
-/// Errc::bad_input: the spectra are of another surface. From spectra that were kept the plan is the
-/// same to the last bit as from the heights.
+/// Errc::bad_input: the spectra are of another surface. From spectra that were kept as they are the
+/// plan is the same to the last bit as from the heights.
 class TaylorSeries {
  public:
   static constexpr int max_terms = max_taylor_terms;

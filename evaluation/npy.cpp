@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <limits>
 #include <optional>
 
@@ -34,7 +33,7 @@ std::size_t numbers_of(NpyType type) {
 
 /// The value of a key of the header's Python dictionary, up to the comma or brace behind it.
 std::optional<std::string_view> value_of(std::string_view header, std::string_view key) {
-  const std::size_t at = header.find("'" + std::string(key) + "'");
+  const std::size_t at = header.find(std::string("'").append(key).append("'"));
   if (at == std::string_view::npos) return std::nullopt;
   std::size_t first = header.find(':', at);
   if (first == std::string_view::npos) return std::nullopt;
@@ -95,57 +94,82 @@ std::string_view npy_bytes(std::span<const std::complex<double>> numbers) {
   return {reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()};
 }
 
-NpyFile read_npy(const fs::path& path, std::size_t limit_bytes) {
-  const auto refuse = [&](const std::string& what, Errc code = Errc::bad_input) {
-    throw brdf::Error(code, path.string() + ": " + what);
-  };
+NpyReader::NpyReader(const fs::path& path) : path_(path) {
   std::error_code ec;
   if (!fs::exists(path, ec)) refuse("no such file");
   if (!fs::is_regular_file(path, ec)) refuse("is not a regular file");
   const std::uintmax_t size = fs::file_size(path, ec);
   if (ec) refuse("cannot be read: " + ec.message());
-  std::ifstream file(path, std::ios::binary);
+  file_.open(path, std::ios::binary);
   std::string prefix(prefix_size, '\0');
-  if (!file.read(prefix.data(), static_cast<std::streamsize>(prefix_size)) ||
+  if (!file_.read(prefix.data(), static_cast<std::streamsize>(prefix_size)) ||
       !prefix.starts_with(magic))
     refuse("is not NPY, format version 1.0");
   const std::size_t header_size = static_cast<unsigned char>(prefix[magic.size()]) +
                                   256u * static_cast<unsigned char>(prefix[magic.size() + 1]);
   std::string header(header_size, '\0');
-  if (!file.read(header.data(), static_cast<std::streamsize>(header_size)))
+  if (!file_.read(header.data(), static_cast<std::streamsize>(header_size)))
     refuse("NPY header is cut off");
+  head_ = prefix + header;
 
-  NpyFile result;
   const auto descr = value_of(header, "descr");
   if (descr == "'<f8'")
-    result.shape.type = NpyType::real;
+    shape_.type = NpyType::real;
   else if (descr == "'<c16'")
-    result.shape.type = NpyType::complex_value;
+    shape_.type = NpyType::complex_value;
   else
     refuse("NPY type " + std::string(descr.value_or("missing")) + ", must be '<f8' or '<c16'");
   if (value_of(header, "fortran_order") != "False") refuse("NPY must be in C order");
   const auto extents = extents_of(value_of(header, "shape").value_or(""));
   if (!extents) refuse("NPY shape is not a tuple of whole numbers");
-  result.shape.extents = *extents;
-  const auto bytes = product(*extents, numbers_of(result.shape.type) * sizeof(double));
-  if (!bytes || size - prefix_size - header_size != *bytes)
+  shape_.extents = *extents;
+  const auto bytes = product(*extents, numbers_of(shape_.type) * sizeof(double));
+  if (!bytes || size - head_.size() != *bytes)
     refuse("NPY shape " + std::string(*value_of(header, "shape")) + " does not match its " +
            std::to_string(size) + " bytes");
-  if (*bytes > limit_bytes)
-    refuse(std::to_string(*bytes) + " bytes, at most " + std::to_string(limit_bytes) + " are read",
-           Errc::over_limit);
+  size_ = *bytes / sizeof(double);
+}
 
-  result.numbers.resize(*bytes / sizeof(double));
-  if (!file.read(reinterpret_cast<char*>(result.numbers.data()),
-                 static_cast<std::streamsize>(*bytes)))
-    refuse("cannot be read");
-  for (std::size_t i = 0; i < result.numbers.size(); ++i)
-    if (!std::isfinite(result.numbers[i])) refuse("number " + std::to_string(i) + " is not finite");
+void NpyReader::read(std::size_t first, std::span<double> numbers) const {
+  read_bytes(head_.size() + first * sizeof(double), reinterpret_cast<char*>(numbers.data()),
+             numbers.size_bytes());
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (!std::isfinite(numbers[i]))
+      refuse("number " + std::to_string(first + i) + " is not finite");
+}
+
+std::string NpyReader::sha256() const {
   Sha256 hash;
-  hash.update(prefix);
-  hash.update(header);
-  hash.update(npy_bytes(result.numbers));
-  result.sha256 = hash.hex();
+  hash.update(head_);
+  std::string piece(std::size_t{1} << 20, '\0');
+  const std::size_t end = head_.size() + size_ * sizeof(double);
+  for (std::size_t at = head_.size(); at < end; at += piece.size()) {
+    piece.resize(std::min(piece.size(), end - at));
+    read_bytes(at, piece.data(), piece.size());
+    hash.update(piece);
+  }
+  return hash.hex();
+}
+
+void NpyReader::read_bytes(std::size_t at, char* bytes, std::size_t count) const {
+  file_.clear();
+  file_.seekg(static_cast<std::streamoff>(at));
+  if (!file_.read(bytes, static_cast<std::streamsize>(count))) refuse("cannot be read");
+}
+
+void NpyReader::refuse(const std::string& what) const {
+  throw brdf::Error(Errc::bad_input, path_.string() + ": " + what);
+}
+
+NpyFile read_npy(const fs::path& path, std::size_t limit_bytes) {
+  const NpyReader reader(path);
+  if (reader.size() > limit_bytes / sizeof(double))
+    throw brdf::Error(Errc::over_limit,
+                      path.string() + ": " + std::to_string(reader.size() * sizeof(double)) +
+                          " bytes, at most " + std::to_string(limit_bytes) + " are read");
+  NpyFile result{reader.shape(), std::vector<double>(reader.size()), {}};
+  reader.read(0, result.numbers);
+  result.sha256 = reader.sha256();
   return result;
 }
 

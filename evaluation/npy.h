@@ -4,6 +4,7 @@
 #include <complex>
 #include <cstddef>
 #include <filesystem>
+#include <fstream>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,6 +30,34 @@ std::string npy_header(const NpyShape& shape);
 std::string_view npy_bytes(std::span<const double> numbers);
 std::string_view npy_bytes(std::span<const std::complex<double>> numbers);
 
+/// An NPY file of which the numbers are read piece by piece. It stays open: another file renamed
+/// over it changes nothing. One object serves one thread.
+class NpyReader {
+ public:
+  /// Reads the header and holds its shape against the size of the file. Throws Errc::bad_input
+  /// naming the file: missing, not NPY 1.0, another type or order, a shape that does not match.
+  explicit NpyReader(const std::filesystem::path& path);
+
+  const std::filesystem::path& path() const { return path_; }
+  const NpyShape& shape() const { return shape_; }
+  /// Numbers in the file, two for a complex one.
+  std::size_t size() const { return size_; }
+  /// The numbers from `first` on. Throws Errc::bad_input: cut off, a number that is not finite.
+  void read(std::size_t first, std::span<double> numbers) const;
+  /// Of the whole file. Throws Errc::bad_input where it is cut off.
+  std::string sha256() const;
+
+ private:
+  void read_bytes(std::size_t at, char* bytes, std::size_t count) const;
+  [[noreturn]] void refuse(const std::string& what) const;
+
+  std::filesystem::path path_;
+  mutable std::ifstream file_;
+  std::string head_;
+  NpyShape shape_;
+  std::size_t size_ = 0;
+};
+
 /// An NPY file: its shape, its numbers (two for a complex one), the SHA-256 of the file.
 struct NpyFile {
   NpyShape shape;
@@ -38,9 +67,7 @@ struct NpyFile {
 
 /// Reads a whole file. The shape is held against the size of the file before memory is taken.
 ///
-/// Throws Errc::bad_input naming the file: missing, not NPY 1.0, another type or order, a shape
-/// that does not match the size, a number that is not finite; Errc::over_limit: more than
-/// `limit_bytes`.
+/// Throws as NpyReader, and Errc::over_limit for more than `limit_bytes`.
 NpyFile read_npy(const std::filesystem::path& path, std::size_t limit_bytes);
 
 }  // namespace evaluation

@@ -1,12 +1,12 @@
 // shedlight sweep: the response over wavelength and viewing angle.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <memory>
 
 #include "apps/commands/commands.h"
 #include "apps/commands/sweep_options.h"
+#include "apps/memory_limit.h"
 #include "evaluation/audit.h"
 #include "evaluation/diffraction.h"
 
@@ -21,22 +21,10 @@ constexpr double default_tolerance = 1e-6;
 constexpr double tolerable_bound = 1e-2;
 constexpr int default_audit = 32;
 
-/// Physical memory, or all there is to address where the system does not say.
-std::size_t physical_memory() {
-  const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGE_SIZE);
-  if (pages <= 0 || page <= 0) return std::size_t(-1);
-  return static_cast<std::size_t>(pages) * static_cast<std::size_t>(page);
-}
-
 void require_memory(std::size_t needed, const SweepOptions& options) {
-  const std::size_t limit = options.memory_limit.value_or(physical_memory() / 10 * 8);
-  if (needed > limit)
-    throw brdf::Error(
-        brdf::Errc::over_limit,
-        fmt::format("{}: the sweep needs about {:.3g} MB, the limit is {:.3g} MB "
-                    "(--memory-limit); a smaller range, a larger tolerance or --reduce needs less",
-                    options.heights.file, static_cast<double>(needed) / 1e6,
-                    static_cast<double>(limit) / 1e6));
+  apps::require_memory({options.heights.file, "the sweep", needed,
+                        "a smaller range, a larger tolerance or --reduce needs less"},
+                       options.memory_limit);
 }
 
 void check_sampling(const evaluation::SweepRequest& request, const brdf::HeightField& field,
@@ -105,6 +93,7 @@ Json diffraction_json(const SweepOptions& options, const brdf::Surface& surface,
   if (evaluation::method_named(*options.method).takes(evaluation::Knob::interpolation))
     p["interpolation"] =
         evaluation::name_of(options.settings.interpolation.value_or(brdf::BinInterpolation::exact));
+  if (options.tables.given()) p["tables"] = options.tables.parameters();
   p.update(options.optics.parameters());
   return p;
 }
@@ -230,6 +219,7 @@ void run(SweepOptions options) {
     output.emplace(options.output);
   }
   const evaluation::HeightFile input = options.heights.read();
+  options.settings.power_spectra = options.tables.read(options.heights, input);
   if (options.explain) return explain(options, request, options.surface(input.field));
   const Computed computed =
       options.is_geometric() ? geometric_optics(options, request, input.field, limits)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "apps/memory_limit.h"
 #include "apps/quantities.h"
 #include "brdf/error.h"
 #include "evaluation/sweep.h"
@@ -58,6 +59,7 @@ void require_consistent(const SweepOptions& options, const evaluation::Method& m
       refuse(option + " has no meaning for --method " + std::string(method.name) +
              "; it goes with --method " + evaluation::methods_with(knob));
   };
+  if (options.tables.given()) require_knob("--tables", evaluation::Knob::power_spectra);
   if (options.settings.terms) require_knob("--terms", evaluation::Knob::terms);
   if (options.settings.radius_sigma_f)
     require_knob("--window-radius", evaluation::Knob::window_radius);
@@ -74,7 +76,7 @@ void require_consistent(const SweepOptions& options, const evaluation::Method& m
 std::string method_meant(const SweepOptions& options) {
   if (options.settings.interpolation) return "pq";
   if (options.settings.radius_sigma_f) return "taylor";
-  if (!options.settings.terms) return "auto";
+  if (!options.settings.terms && !options.tables.given()) return "auto";
   return options.replicas || options.model == SurfaceModel::replicated ? "pq" : "taylor";
 }
 
@@ -85,6 +87,7 @@ void require_geometric(const SweepOptions& options) {
       {options.settings.terms.has_value(), "--terms"},
       {options.settings.radius_sigma_f.has_value(), "--window-radius"},
       {options.settings.interpolation.has_value(), "--interpolation"},
+      {options.tables.given(), "--tables"},
       {options.tolerance.has_value(), "--tolerance"},
       {options.sigma.has_value(), "--sigma"},
       {options.model.has_value(), "--surface"},
@@ -115,6 +118,7 @@ void SweepOptions::resolve() {
   if (preset == Preset::thesis) fill_in_thesis(*this);
   if (!method) method = method_meant(*this);
   selection.require_consistent();
+  tables.require_consistent(output);
   geometric.require_consistent(*method, optics);
   if (is_geometric()) {
     require_geometric(*this);
@@ -207,8 +211,7 @@ void add_run(CLI::App* sweep, SweepOptions& options) {
   add_choice(sweep, "--layout", options.layout, layout_choices, "of the CSV (default matrix)");
   add_parsed(sweep, "--threads", options.settings.threads, count_between(1, 1024),
              "threads (default: all); the result does not depend on them", "N");
-  add_parsed(sweep, "--memory-limit", options.memory_limit, parse_bytes,
-             "refuse what needs more (default 80 % of the machine's)", "BYTES");
+  add_memory_limit(sweep, options.memory_limit);
   add_parsed(sweep, "--time-limit", options.time_limit, parse_duration, "give up after this",
              "TIME");
   sweep->add_flag("--strict", options.strict,
@@ -221,6 +224,7 @@ void add_run(CLI::App* sweep, SweepOptions& options) {
 void SweepOptions::add_to(CLI::App* sweep) {
   settings.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   heights.add_to(sweep);
+  tables.add_to(sweep);
   add_scene(sweep, *this);
   add_method(sweep, *this);
   optics.add_to(sweep);

@@ -9,6 +9,7 @@
 #include "apps/commands/geometric_options.h"
 #include "apps/commands/optics_options.h"
 #include "apps/commands/selection_options.h"
+#include "apps/commands/tables_options.h"
 #include "apps/console.h"
 #include "apps/options.h"
 #include "brdf/surface.h"
@@ -34,6 +35,7 @@ struct SweepOptions {
   std::optional<evaluation::Axis> theta_r_deg, lambda_nm;
   std::optional<std::string> method;
   evaluation::MethodSettings settings;
+  TablesOptions tables;
   std::optional<double> tolerance;
   std::optional<brdf::Length> sigma;
   std::optional<brdf::SurfaceModel> model;

@@ -99,20 +99,43 @@ fs::path sidecar_path(const fs::path& output) {
   return output.string() + ".json";
 }
 
-Json read_sidecar(const fs::path& output, const std::string& sha256) {
+void require_room(const fs::path& target, std::uintmax_t bytes) {
+  std::error_code ec;
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  const fs::space_info space = fs::space(folder, ec);
+  if (!ec && bytes > space.available)
+    throw Error(Errc::cannot_write, target.string() + ": needs " + std::to_string(bytes) +
+                                        " bytes, the disk has room for " +
+                                        std::to_string(space.available));
+}
+
+namespace {
+
+[[noreturn]] void refuse_sidecar(const fs::path& output, const std::string& what) {
+  throw Error(Errc::bad_input, sidecar_path(output).string() + ": " + what);
+}
+
+}  // namespace
+
+Json read_sidecar(const fs::path& output) {
+  constexpr std::uintmax_t largest = 1 << 24;  // far above any that is written
   const fs::path path = sidecar_path(output);
   if (!fs::exists(path)) return nullptr;
-  const Json sidecar = Json::parse(read_file_bytes(path), nullptr, /*allow_exceptions=*/false);
-  const auto refuse = [&](const std::string& what) {
-    throw Error(Errc::bad_input, path.string() + ": " + what);
-  };
-  if (!sidecar.is_object()) refuse("is not a JSON object");
+  Json sidecar = Json::parse(read_file_bytes(path, largest), nullptr, /*allow_exceptions=*/false);
+  if (!sidecar.is_object()) refuse_sidecar(output, "is not a JSON object");
   const Json::json_pointer hash("/output/sha256");
-  if (!sidecar.contains(hash) || !sidecar[hash].is_string()) refuse("has no output.sha256");
-  if (sidecar[hash] != sha256)
-    refuse("does not belong to " + output.string() +
-           ": the SHA-256 differs, so one of the two was changed; make it again, or remove the "
-           "sidecar and give the options");
+  if (!sidecar.contains(hash) || !sidecar[hash].is_string())
+    refuse_sidecar(output, "has no output.sha256");
+  return sidecar;
+}
+
+Json read_sidecar(const fs::path& output, const std::string& sha256) {
+  Json sidecar = read_sidecar(output);
+  if (!sidecar.is_null() && sidecar["output"]["sha256"] != sha256)
+    refuse_sidecar(output,
+                   "does not belong to " + output.string() +
+                       ": the SHA-256 differs, so one of the two was changed; make it again, or "
+                       "remove the sidecar and give the options");
   return sidecar;
 }
 

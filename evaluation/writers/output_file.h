@@ -1,6 +1,7 @@
 // Outputs that are whole or not there.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -66,9 +67,15 @@ class OutputWithSidecar {
 /// `<output>.json`
 std::filesystem::path sidecar_path(const std::filesystem::path& output);
 
-/// The sidecar of an output; null where there is none.
+/// Throws Errc::cannot_write, with both numbers, where the disk of an output has less room.
+void require_room(const std::filesystem::path& target, std::uintmax_t bytes);
+
+/// The sidecar of an output; null where there is none. Whether it belongs to it is not looked at.
 ///
-/// Throws Errc::bad_input where it is not JSON, or where the hash in it is not the one given.
+/// Throws Errc::bad_input where it is no JSON object with a hash of the output, or too large.
+Json read_sidecar(const std::filesystem::path& output);
+
+/// The same, and throws Errc::bad_input where the hash in it is not the one given.
 Json read_sidecar(const std::filesystem::path& output, const std::string& sha256);
 
 }  // namespace evaluation

@@ -14,7 +14,8 @@ const std::string sweep = "sweep g.gsf" + small_scene + " -o ";
 /// Every command that writes a file.
 void check_target_refused(const Scratch& folder, const std::string& target) {
   for (const std::string& command :
-       {synth, sweep, std::string("peaks R.csv -o "), std::string("plot R.csv -o ")})
+       {synth, sweep, std::string("peaks R.csv -o "), std::string("plot R.csv -o "),
+        std::string("precompute g.gsf --terms 3 -o ")})
     check_refused(folder, command + target, 4, {target});
 }
 

@@ -18,6 +18,12 @@ inline void make_grating(const Scratch& folder) {
   folder.prepare(small_blaze);
 }
 
+/// A folder with a g.gsf of two axes: 24 columns, 10 rows.
+inline void make_small(const Scratch& folder) {
+  folder.prepare(
+      "synth blazed --period 700nm --height 300nm --size 2.4um,1um --pixels 24,10 -o g.gsf");
+}
+
 /// A folder with g.gsf, its response R.csv and the sidecar.
 inline void make_response(const Scratch& folder) {
   make_grating(folder);
