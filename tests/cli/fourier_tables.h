@@ -3,7 +3,6 @@
 
 #include <complex>
 #include <cstring>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -25,13 +24,4 @@ inline FourierTables read_tables(const Scratch& folder, const std::string& file)
   std::memcpy(static_cast<void*>(tables.values.data()), numbers.data(),
               tables.values.size() * sizeof(tables.values[0]));
   return tables;
-}
-
-inline nlohmann::json sidecar_of(const Scratch& folder, const std::string& output) {
-  return nlohmann::json::parse(folder.read(output + ".json"));
-}
-
-/// SHA-256 by coreutils.
-inline std::string sha256sum(const Scratch& folder, const std::string& file) {
-  return folder.run({"sha256sum", file}).out.substr(0, 64);
 }

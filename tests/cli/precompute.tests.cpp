@@ -8,6 +8,7 @@
 #include "tests/cli/gratings.h"
 #include "tests/cli/height_files.h"
 #include "tests/cli/refusal.h"
+#include "tests/cli/sidecars.h"
 
 namespace {
 

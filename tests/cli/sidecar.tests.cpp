@@ -2,21 +2,11 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/gratings.h"
+#include "tests/cli/sidecars.h"
 
 using nlohmann::json;
 
 namespace {
-
-json sidecar_of(const Scratch& folder, const std::string& output) {
-  return json::parse(folder.read(output + ".json"));
-}
-
-/// SHA-256 by coreutils.
-std::string sha256(const Scratch& folder, const std::string& file) {
-  const Outcome outcome = folder.run({"sha256sum", file});
-  REQUIRE(outcome.exit_code == 0);
-  return outcome.out.substr(0, 64);
-}
 
 void check_made_by(const json& sidecar, const std::string& command) {
   CHECK_THAT(sidecar.at("shedlight").at("version").get<std::string>(),
@@ -40,10 +30,10 @@ TEST_CASE("every output has a sidecar with the hashes of input and output", "[cl
     INFO(step.command);
     const json sidecar = sidecar_of(folder, step.output);
     check_made_by(sidecar, step.command);
-    CHECK(sidecar.at("output").at("sha256") == sha256(folder, step.output));
+    CHECK(sidecar.at("output").at("sha256") == sha256sum(folder, step.output));
     CHECK(sidecar.at("output").at("file") == step.output);
     if (step.input.empty()) continue;
-    CHECK(sidecar.at("input").at("sha256") == sha256(folder, step.input));
+    CHECK(sidecar.at("input").at("sha256") == sha256sum(folder, step.input));
     CHECK(sidecar.at("input").at("file") == step.input);
   }
 }

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include "tests/cli/fourier_tables.h"
 #include "tests/cli/gratings.h"
 #include "tests/cli/refusal.h"
+#include "tests/cli/sidecars.h"
 #include "tests/cli/tables.h"
 
 namespace {

@@ -2,10 +2,10 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
-#include "tests/cli/fourier_tables.h"
 #include "tests/cli/gratings.h"
 #include "tests/cli/pictures.h"
 #include "tests/cli/refusal.h"
+#include "tests/cli/sidecars.h"
 
 namespace {
 
