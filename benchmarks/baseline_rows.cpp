@@ -12,7 +12,8 @@ namespace benchmarks {
 
 using brdf::SurfaceModel;
 
-void against_the_sources(RatioTable& table) {
+void against_the_sources(RatioTable& table, const std::string& memory) {
+  std::printf("%s: ", memory.c_str());
   const brdf::HeightField field = blazed(650);
   const brdf::Surface surface = lit(field, SurfaceModel::periodic);
   const Queries queries = in_plane_sweep(), some = every(queries, 701);
@@ -71,8 +72,9 @@ void against_the_sources(RatioTable& table) {
   twice.print("double, FFTW_ESTIMATE");
   std::puts("");
   const Split& best = measured.total.median() < single.total.median() ? measured : single;
-  table.at_most("the sources' algorithm on A", best.total.median(), 0.4, "s", ms(best.total));
-  table.at_least("A periodic 1e-6 against the sources' algorithm",
+  table.at_most("the sources' algorithm on A, " + memory, best.total.median(), 0.4, "s",
+                ms(best.total));
+  table.at_least("A periodic 1e-6 against the sources' algorithm, " + memory,
                  best.total.median() / engine_s.median(), 25, "x",
                  ms(best.total) + " / " + ms(engine_s) +
                      format(" (plan %.2f ms); least against least %.3g x; against its double form "

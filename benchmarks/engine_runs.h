@@ -60,12 +60,28 @@ inline brdf::ChebyshevSeries engine(std::size_t threads = 1) {
   return brdf::ChebyshevSeries(evaluation::vectorised_kernels(), settings);
 }
 
+/// The bounds of equal shares, one for each thread, put together.
+inline brdf::QueryBounds bounds_of(const Queries& queries, double tolerance, std::size_t threads) {
+  if (threads == 1) return brdf::bounds_of(queries, tolerance);
+  Queries corners(2 * threads);
+  evaluation::parallel_for(threads, static_cast<int>(threads), [&](std::size_t t) {
+    const std::size_t first = queries.size() * t / threads,
+                      end = queries.size() * (t + 1) / threads;
+    const auto share = brdf::bounds_of(std::span(queries).subspan(first, end - first), tolerance);
+    corners[2 * t] = share.lo;
+    corners[2 * t + 1] = share.hi;
+  });
+  brdf::QueryBounds bounds = brdf::bounds_of(corners, tolerance);
+  bounds.count = queries.size();
+  return bounds;
+}
+
 /// Bounds of the queries, plan, and all amplitudes.
 inline EngineTimes run_engine(const brdf::Surface& surface, const Queries& queries,
                               double tolerance, Amplitudes& amplitudes, Run run = {}) {
   amplitudes.resize(queries.size());
   const Stopwatch planning(run.time);
-  const auto plan = engine(run.threads).plan(surface, brdf::bounds_of(queries, tolerance));
+  const auto plan = engine(run.threads).plan(surface, bounds_of(queries, tolerance, run.threads));
   const double plan_s = planning.seconds();
   return {plan_s, evaluate(plan, queries, amplitudes, run)};
 }

@@ -18,7 +18,7 @@ inline std::string ms(const Samples& times) {
 /// B: the most memory held. To be called before anything larger has run in this process.
 void memory_of_a_scan(RatioTable& table);
 /// A periodic against the sources' algorithm, which is checked first and whose split is printed.
-void against_the_sources(RatioTable& table);
+void against_the_sources(RatioTable& table, const std::string& memory);
 /// A isolated against a tenth of the cells by direct sum, in five parts.
 void against_the_direct_sum(RatioTable& table);
 /// Every cell of A at 256 x 256 by direct sum.

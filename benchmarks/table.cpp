@@ -44,11 +44,12 @@ int main() {
   const benchmarks::Stopwatch wall(benchmarks::Time::of_wall), processor;
   benchmarks::RatioTable table;
   benchmarks::memory_of_a_scan(table);
-  // From here on memory once taken is kept: fresh pages cost several times more on some virtual
-  // machines than on others, and both sides of every comparison take some in each run.
+  benchmarks::against_the_sources(table, "memory fresh in every run");
+  // From here on memory once taken is kept: a fresh page costs several times more on some virtual
+  // machines than on others, and the sources' tables take many.
   mallopt(M_MMAP_THRESHOLD, 1 << 30);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-  benchmarks::against_the_sources(table);
+  benchmarks::against_the_sources(table, "memory kept");
   benchmarks::tolerances_and_threads(table);
   benchmarks::query_rates(table);
   benchmarks::growth_with_the_patch(table);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <list>
@@ -30,6 +31,7 @@ class Helpers {
     work();
     std::unique_lock lock(mutex_);
     jobs_.erase(place);
+    open_places_ -= job.wanted;
     finished_.wait(lock, [&] { return job.running == 0; });
   }
 
@@ -44,7 +46,8 @@ class Helpers {
     const std::scoped_lock lock(mutex_);
     while (threads_.size() < job.wanted)
       threads_.emplace_back([this](std::stop_token stop) { help(stop); });
-    if (job.wanted > 0) added_.notify_all();
+    open_places_ += job.wanted;
+    added_.notify_all();
     return jobs_.insert(jobs_.end(), &job);
   }
 
@@ -58,19 +61,30 @@ class Helpers {
     Job* job = nullptr;
     while (added_.wait(lock, stop, [&] { return (job = open_job()) != nullptr; })) {
       --job->wanted;
+      --open_places_;
       ++job->running;
       lock.unlock();
       (*job->work)();
       lock.lock();
       if (--job->running == 0) finished_.notify_all();
+      lock.unlock();
+      stay_awake();
+      lock.lock();
     }
+  }
+
+  /// Parts of one computation follow each other within microseconds; waking up takes a hundred.
+  void stay_awake() const {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds(200);
+    while (open_places_ == 0 && std::chrono::steady_clock::now() < end) std::this_thread::yield();
   }
 
   std::mutex mutex_;
   std::condition_variable_any added_;
   std::condition_variable finished_;
   Jobs jobs_;
-  std::vector<std::jthread> threads_;  // last: they end before what they use
+  std::atomic<std::size_t> open_places_ = 0;  ///< wanted by all jobs; changed under the mutex
+  std::vector<std::jthread> threads_;         // last: they end before what they use
 };
 
 }  // namespace
