@@ -60,7 +60,7 @@ struct SourcesAlgorithm<Real>::Tables {
         rows(y_axis.count),
         cols(x_axis.count),
         half(cols / 2 + 1),
-        entries(memory<Entry>(static_cast<std::size_t>(rows * half))),
+        entries(brdf::table_memory<Entry>(static_cast<std::size_t>(rows * half))),
         half_range_um(surface.heights->half_range_um()),
         mid_range_um(surface.heights->mid_range_um()) {
     static constexpr Real re[] = {1, 0, -1, 0}, im[] = {0, 1, 0, -1};
@@ -80,7 +80,7 @@ struct SourcesAlgorithm<Real>::Tables {
   AxisWindow x, y;
   long rows, cols, half;
   /// Of the transform with the minus sign: [row][column <= cols / 2][term].
-  Memory<Entry> entries;
+  brdf::TableMemory<Entry> entries;
   /// i^n / n! / pixels, as they act on (re, im) of the terms.
   Line to_re[lines], to_im[lines];
   double half_range_um, mid_range_um;
@@ -136,8 +136,8 @@ SourcesAlgorithm<Real>::SourcesAlgorithm(const brdf::Surface& surface, Planning 
   Tables& t = *tables_;
   const auto pixels = static_cast<std::size_t>(t.rows * t.cols);
   const auto bins = static_cast<std::size_t>(t.rows * t.half);
-  const auto heights = memory<Real>(pixels), power = memory<Real>(pixels);
-  const auto spectra = memory<Complex>(bins * terms_per_line);
+  const auto heights = brdf::table_memory<Real>(pixels), power = brdf::table_memory<Real>(pixels);
+  const auto spectra = brdf::table_memory<Complex>(bins * terms_per_line);
 
   Stopwatch planning_watch;
   const Fourier transform(static_cast<int>(t.rows), static_cast<int>(t.cols), power.get(),

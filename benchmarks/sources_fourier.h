@@ -5,10 +5,9 @@
 
 #include <complex>
 #include <cstddef>
-#include <memory>
-#include <new>
 
 #include "benchmarks/sources_algorithm.h"
+#include "brdf/table_memory.h"
 
 namespace benchmarks {
 
@@ -46,18 +45,5 @@ class Fourier {
   fftwf_plan single_ = nullptr;
   fftw_plan double_ = nullptr;
 };
-
-/// What whole cache lines need; more than FFTW's own memory promises.
-inline constexpr std::align_val_t cache_line{64};
-
-struct Free {
-  void operator()(void* memory) const { ::operator delete(memory, cache_line); }
-};
-template <class T>
-using Memory = std::unique_ptr<T[], Free>;
-template <class T>
-Memory<T> memory(std::size_t count) {
-  return Memory<T>(static_cast<T*>(::operator new(sizeof(T) * count, cache_line)));
-}
 
 }  // namespace benchmarks

@@ -5,7 +5,6 @@
 #include <complex>
 #include <cstddef>
 #include <memory>
-#include <new>
 #include <utility>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include "brdf/chebyshev_projection.h"
 #include "brdf/fourier_pool.h"
 #include "brdf/query_order.h"
+#include "brdf/table_memory.h"
 #include "brdf/term_table.h"
 
 namespace brdf {
@@ -53,7 +53,7 @@ class ChebyshevTable {
     view_.phase_per_qy_um = phase(1);
     row_ = static_cast<std::size_t>(2 * view_.padded_terms());
     const auto size = static_cast<std::size_t>(view_.outer.count * view_.inner.count) * row_;
-    entries_.reset(static_cast<Real*>(::operator new(size * sizeof(Real), cache_line)));
+    entries_ = table_memory<Real>(size);
     std::fill_n(entries_.get(), size, Real{0});
     if (design.outer())
       fill_general(design);
@@ -82,10 +82,6 @@ class ChebyshevTable {
   }
 
  private:
-  static constexpr std::align_val_t cache_line{64};
-  struct Free {
-    void operator()(Real* memory) const { ::operator delete(memory, cache_line); }
-  };
   using Complex = std::complex<double>;
 
   static TableAxis axis_view(const FourierAxis& axis, const InterpolationKernel& kernel,
@@ -212,7 +208,7 @@ class ChebyshevTable {
   TermTable<Real> view_{};
   std::vector<double> basis_;
   std::size_t row_ = 0;
-  std::unique_ptr<Real[], Free> entries_;
+  TableMemory<Real> entries_;
 };
 
 }  // namespace brdf
