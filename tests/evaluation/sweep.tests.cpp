@@ -1,6 +1,5 @@
 #include "evaluation/sweep.h"
 
-#include <atomic>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
@@ -11,7 +10,6 @@
 #include "brdf/synthetic_profile.h"
 #include "evaluation/diffraction.h"
 #include "evaluation/kernels/phase_sum.h"
-#include "evaluation/parallel.h"
 
 namespace {
 
@@ -179,21 +177,6 @@ TEST_CASE("angles past the Nyquist limit are told with the safe ones", "[invaria
   REQUIRE(excess->safe_deg);
   CHECK(*excess->safe_deg == std::pair(-60.0, -1.0));
   CHECK(excess->lambda_nm == 400);
-}
-
-TEST_CASE("a task that throws stops the others and is thrown again", "[invariant]") {
-  std::atomic<int> calls = 0;
-  CHECK_THROWS_WITH(evaluation::parallel_for(100000, 3,
-                                             [&](std::size_t i) {
-                                               ++calls;
-                                               if (i == 10) throw std::runtime_error("ten");
-                                             }),
-                    "ten");
-  CHECK(calls < 100000);
-  std::vector<int> seen(1000, 0);
-  evaluation::parallel_for(seen.size(), 4, [&](std::size_t i) { ++seen[i]; });
-  CHECK(seen == std::vector<int>(1000, 1));
-  evaluation::parallel_for(0, 4, [](std::size_t) { FAIL("there is nothing to do"); });
 }
 
 TEST_CASE("in the plane of incidence, and there only, the queries lie on the line told",
