@@ -49,6 +49,7 @@ int run(int argc, char** argv) {
   apps::add_peaks(app);
   apps::add_period(app);
   apps::add_plot(app);
+  apps::add_colour(app);
   apps::add_validate(app);
   require_known_command(app, argc, argv);
   try {

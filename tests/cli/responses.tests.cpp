@@ -18,8 +18,8 @@ void check_response_refused(const Scratch& folder, const std::string& csv,
   folder.write("good.csv", matrix);
   for (const std::string command :
        {"peaks bad.csv --theta-i 75deg -o older.csv", "period bad.csv --theta-i 75deg",
-        "plot bad.csv --theta-i 75deg -o older.csv", "validate bad.csv good.csv --max-error 1e9",
-        "validate good.csv bad.csv --max-error 1e9"})
+        "plot bad.csv --theta-i 75deg -o older.csv", "colour bad.csv -o older.csv",
+        "validate bad.csv good.csv --max-error 1e9", "validate good.csv bad.csv --max-error 1e9"})
     check_refused(folder, command, 3, named);
 }
 
@@ -46,6 +46,7 @@ TEST_CASE("a response that is missing or empty is refused", "[cli][input]") {
   check_refused(folder, "peaks nowhere.csv -o older.csv", 3, {"nowhere.csv"});
   check_refused(folder, "period nowhere.csv", 3, {"nowhere.csv"});
   check_refused(folder, "plot nowhere.csv -o older.csv", 3, {"nowhere.csv"});
+  check_refused(folder, "colour nowhere.csv -o older.csv", 3, {"nowhere.csv"});
   check_refused(folder, "validate nowhere.csv nowhere.csv --max-error 1", 3, {"nowhere.csv"});
   check_response_refused(folder, "", {"bad.csv", "empty"});
   check_response_refused(folder, "lambda_nm,-50,-49\n", {"bad.csv"});
@@ -122,8 +123,9 @@ TEST_CASE("a sidecar that does not belong to its response is refused", "[cli][in
   const Scratch folder;
   make_response(folder);
   const std::string csv = folder.read("R.csv");
-  for (const std::string command : {"peaks R.csv -o older.csv", "period R.csv",
-                                    "plot R.csv -o older.csv", "period R.csv --theta-i 75deg"}) {
+  for (const std::string command :
+       {"peaks R.csv -o older.csv", "period R.csv", "plot R.csv -o older.csv",
+        "period R.csv --theta-i 75deg", "colour R.csv -o older.csv"}) {
     // One other digit, or the last ones missing: the hash tells.
     for (const std::string& changed :
          {with(csv, "-55.0", "-55.1"), csv.substr(0, csv.size() - 3), csv.substr(1)}) {
@@ -146,8 +148,8 @@ TEST_CASE("a sidecar that cannot be understood is refused", "[cli][input]") {
         sidecar.substr(0, sidecar.size() / 2)}) {
     INFO(text);
     folder.write("R.csv.json", text);
-    for (const std::string command :
-         {"peaks R.csv -o older.csv", "period R.csv", "plot R.csv -o older.csv"})
+    for (const std::string command : {"peaks R.csv -o older.csv", "period R.csv",
+                                      "plot R.csv -o older.csv", "colour R.csv -o older.csv"})
       check_refused(folder, command, 3, {"R.csv.json"});
   }
 }
