@@ -175,7 +175,7 @@ struct InGamut {
 ///
 /// A colour counts as clipped where a picture of 8 bits would show it: a component whose code in
 /// sRGB would round to less than 0 or more than 255, below -1.5e-4 or above 1.0045 of linear light.
-/// White, 2e-4 outside by its own rounding, does not. NaN stays NaN and counts.
+/// White, up to 9e-4 outside (2e-4 for 5 nm), does not. NaN stays NaN and counts.
 inline InGamut clipped_to_gamut(const Rgb& linear) {
   const double lowest = srgb_decoded(-0.5 / 255), highest = srgb_decoded(1 + 0.5 / 255);
   const auto inside = [&](double c) { return c >= lowest && c <= highest; };

@@ -35,7 +35,7 @@ inline Lab lab(const Xyz& colour, const Xyz& white = d65_white) {
 /// Symmetric; 0 for equal colours. Within 5e-5, half their last digit, of the 34 pairs of Sharma,
 /// Wu and Dalal (colour_difference.tests.cpp). Hues exactly opposite have no mean hue: the mean is
 /// then h_1 and h_2's plain one, as the pairs ask for, also where rounding puts them a bit further
-/// apart; beyond, the function jumps (by up to 0.04 in those pairs).
+/// apart; beyond, the function jumps (by up to 0.06 in those pairs).
 ///
 /// Source: G. Sharma, W. Wu, E. N. Dalal, The CIEDE2000 color-difference formula, Color Research
 /// and Application 30 (2005), 21-30, equations 2 to 22.

