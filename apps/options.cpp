@@ -46,6 +46,10 @@ void HeightOptions::add_to(CLI::App* app) {
              "what is subtracted from the heights (default none)");
 }
 
+std::string HeightOptions::level_name() const {
+  return name_in(level_choices, level.value_or(brdf::Level::none));
+}
+
 evaluation::HeightFile HeightOptions::read() const {
   const auto positive = [](const char* option, const std::optional<brdf::Length>& length) {
     if (length && !(length->um() > 0))

@@ -64,6 +64,8 @@ struct HeightOptions {
   std::optional<brdf::Level> level;  ///< none, unless a preset says otherwise
 
   void add_to(CLI::App* app);
+  /// What is subtracted, for sidecars.
+  std::string level_name() const;
   /// Reads the file, reduces it, then levels it.
   evaluation::HeightFile read() const;
 };

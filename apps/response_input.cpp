@@ -56,6 +56,13 @@ std::string sidecar_text(const Json& sidecar, const std::string& pointer,
                                                          : otherwise;
 }
 
+ResponseFile read_response(const std::string& file) {
+  const std::string bytes = evaluation::read_file_bytes(file);
+  const std::string sha256 = evaluation::sha256_hex(bytes);
+  return {evaluation::response_from_csv(bytes, file), sha256,
+          evaluation::read_sidecar(file, sha256)};
+}
+
 double ResponseInput::angle_step_deg() const {
   const evaluation::Axis& theta = response.theta_r_deg;
   if (search.refinement != Refinement::grid || theta.size() < 2) return 0;
@@ -103,13 +110,9 @@ void ResponseOptions::add_to(CLI::App* app) {
 }
 
 ResponseInput ResponseOptions::read() const {
-  const std::string bytes = evaluation::read_file_bytes(file);
-  const std::string sha256 = evaluation::sha256_hex(bytes);
-  ResponseInput input{evaluation::response_from_csv(bytes, file),
-                      {},
-                      search,
-                      evaluation::read_sidecar(file, sha256),
-                      sha256};
+  ResponseFile read = read_response(file);
+  ResponseInput input{
+      std::move(read.response), {}, search, std::move(read.sidecar), std::move(read.sha256)};
   const Json& sidecar = input.sidecar;
   const std::optional<Angle> incidence = angle(theta_i, sidecar, "theta_i_deg");
   if (!incidence)

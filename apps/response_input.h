@@ -11,6 +11,16 @@
 
 namespace apps {
 
+/// A response as it lies on disk, with its sidecar; that is null where there is none.
+struct ResponseFile {
+  evaluation::ResponseMatrix response;
+  std::string sha256;
+  evaluation::Json sidecar;
+};
+
+/// Throws Errc::bad_input for a file that is no response, or a sidecar that is not its own.
+ResponseFile read_response(const std::string& file);
+
 /// A response, its plane of incidence and where to look for peaks.
 struct ResponseInput {
   evaluation::ResponseMatrix response;

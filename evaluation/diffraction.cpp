@@ -18,19 +18,21 @@ double visible(Shadowing shadowing, const brdf::Direction& omega_i,
 
 double gain(const Optics& optics, const brdf::Direction& omega_i, const brdf::Direction& omega_r,
             brdf::Length wavelength) {
-  const double cosine = brdf::cos_half(omega_i, omega_r);
-  const double lit = visible(optics.shadowing, omega_i, omega_r);
+  const auto reflected = [&] {
+    return visible(optics.shadowing, omega_i, omega_r) *
+           optics.fresnel.reflectance(brdf::cos_half(omega_i, omega_r));
+  };
   switch (optics.quantity) {
     case brdf::Quantity::power:
       return 1;
     case brdf::Quantity::relative:
-      return lit * optics.fresnel.relative_reflectance(cosine) *
+      return visible(optics.shadowing, omega_i, omega_r) *
+             optics.fresnel.relative_reflectance(brdf::cos_half(omega_i, omega_r)) *
              brdf::relative_gain(omega_i, omega_r);
     case brdf::Quantity::brdf:
-      return lit * optics.fresnel.reflectance(cosine) *
-             brdf::brdf_gain(omega_i, omega_r, wavelength, optics.coherence_area_um2);
+      return reflected() * brdf::brdf_gain(omega_i, omega_r, wavelength, optics.coherence_area_um2);
     case brdf::Quantity::radiance:
-      return lit * optics.fresnel.reflectance(cosine) *
+      return reflected() *
              brdf::radiance_gain(omega_i, omega_r, wavelength, optics.coherence_area_um2);
   }
   return 1;

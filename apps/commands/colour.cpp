@@ -9,7 +9,6 @@
 #include "apps/options.h"
 #include "apps/quantities.h"
 #include "apps/response_input.h"
-#include "evaluation/readers/file_bytes.h"
 #include "evaluation/response_colour.h"
 
 namespace apps {
@@ -74,18 +73,16 @@ void run(const ColourOptions& options) {
     require_other_file(options.output, options.file);
     output.emplace(options.output);
   }
-  const std::string bytes = evaluation::read_file_bytes(options.file);
-  const std::string sha256 = evaluation::sha256_hex(bytes);
-  const evaluation::ResponseMatrix response = evaluation::response_from_csv(bytes, options.file);
-  require_relative(evaluation::read_sidecar(options.file, sha256), options.file);
+  const ResponseFile input = read_response(options.file);
+  require_relative(input.sidecar, options.file);
   const evaluation::ResponseColours colours =
-      brdf::at_place(options.file, [&] { return response_colours(response); });
+      brdf::at_place(options.file, [&] { return response_colours(input.response); });
   const evaluation::ShownColours shown =
       shown_colours(colours.xyz, options.space, options.exposure);
 
-  const std::string csv = to_csv(response.theta_r_deg, colours.xyz, shown.rgb);
+  const std::string csv = to_csv(input.response.theta_r_deg, colours.xyz, shown.rgb);
   if (output) {
-    Json sidecar = sidecar_head("colour", options.file, sha256);
+    Json sidecar = sidecar_head("colour", options.file, input.sha256);
     sidecar["parameters"] = parameters(options, colours, shown);
     output->commit(csv, std::move(sidecar));
   } else {

@@ -13,7 +13,6 @@
 #include "apps/quantities.h"
 #include "apps/response_input.h"
 #include "apps/response_picture.h"
-#include "evaluation/readers/file_bytes.h"
 
 namespace apps {
 namespace {
@@ -98,14 +97,13 @@ std::string draw_cut(const ResponseInput& input, const PlotOptions& options) {
       fmt::format("{:.6g} nm, light at {:.6g} deg", wanted_nm, input.plane.theta_i.deg()),
       value_label(input.sidecar)};
   for (const std::string& file : options.others) {
-    const std::string bytes = evaluation::read_file_bytes(file);
-    const Json sidecar = evaluation::read_sidecar(file, evaluation::sha256_hex(bytes));
-    const std::string label = value_label(sidecar);
-    if (!sidecar.is_null() && label != picture.value_label)
+    const ResponseFile other = read_response(file);
+    const std::string label = value_label(other.sidecar);
+    if (!other.sidecar.is_null() && label != picture.value_label)
       throw brdf::Error(brdf::Errc::bad_input,
                         fmt::format("{}: holds {}, {} holds {}: one axis cannot show both", file,
                                     label, options.response.file, picture.value_label));
-    picture.curves.push_back(curve_of(evaluation::response_from_csv(bytes, file), wanted_nm, file));
+    picture.curves.push_back(curve_of(other.response, wanted_nm, file));
   }
   return draw_png(picture);
 }

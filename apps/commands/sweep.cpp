@@ -21,6 +21,10 @@ constexpr double default_tolerance = 1e-6;
 constexpr double tolerable_bound = 1e-2;
 constexpr int default_audit = 32;
 
+double tolerance(const SweepOptions& options) {
+  return options.tolerance.value_or(default_tolerance);
+}
+
 void require_memory(std::size_t needed, const SweepOptions& options) {
   apps::require_memory({options.heights.file, "the sweep", needed,
                         "a smaller range, a larger tolerance or --reduce needs less"},
@@ -44,8 +48,7 @@ void check_sampling(const evaluation::SweepRequest& request, const brdf::HeightF
 
 /// Says where the error stated, or the error found, is above what was asked for.
 void check_error(const char* what, double error, const SweepOptions& options) {
-  const double limit =
-      options.settings.terms ? tolerable_bound : options.tolerance.value_or(default_tolerance);
+  const double limit = options.settings.terms ? tolerable_bound : tolerance(options);
   // A window radius given by hand leaves out what it leaves out: no tolerance was asked for.
   const bool radius_rules = options.settings.radius_sigma_f && !options.tolerance;
   if (error <= (radius_rules ? tolerable_bound : limit)) return;
@@ -62,7 +65,7 @@ Json scene_json(const SweepOptions& options, const evaluation::SweepRequest& req
          {"rows", field.rows()},
          {"pixel_um", {field.dx_um(), field.dy_um()}},
          {"reduce", options.heights.reduction},
-         {"level", name_in(level_choices, options.heights.level.value_or(brdf::Level::none))}};
+         {"level", options.heights.level_name()}};
   if (options.heights.scale.height_range)
     p["height_range_nm"] = options.heights.scale.height_range->nm();
   p["preset"] = name_in(preset_choices, options.preset);
@@ -88,7 +91,7 @@ Json diffraction_json(const SweepOptions& options, const brdf::Surface& surface,
   if (options.settings.terms)
     p["terms"] = *options.settings.terms;
   else
-    p["tolerance"] = options.tolerance.value_or(default_tolerance);
+    p["tolerance"] = tolerance(options);
   if (report.radius_sigma_f > 0) p["window_radius_sigma_f"] = report.radius_sigma_f;
   if (evaluation::method_named(*options.method).takes(evaluation::Knob::interpolation))
     p["interpolation"] =
@@ -159,8 +162,7 @@ Computed diffraction(const SweepOptions& options, const evaluation::SweepRequest
                      const brdf::Surface& surface, const evaluation::RunLimits& limits) {
   const evaluation::Method& method = evaluation::method_named(*options.method);
   const brdf::HeightField& field = *surface.heights;
-  const brdf::QueryBounds bounds =
-      bounds_of(request, options.tolerance.value_or(default_tolerance));
+  const brdf::QueryBounds bounds = bounds_of(request, tolerance(options));
   check_sampling(request, field, options);
   require_memory(method.bytes(surface, bounds, options.settings) +
                      response_bytes(options, request) +
@@ -200,8 +202,7 @@ Computed geometric_optics(const SweepOptions& options, const evaluation::SweepRe
 
 void explain(const SweepOptions& options, const evaluation::SweepRequest& request,
              const brdf::Surface& surface) {
-  const brdf::QueryBounds bounds =
-      bounds_of(request, options.tolerance.value_or(default_tolerance));
+  const brdf::QueryBounds bounds = bounds_of(request, tolerance(options));
   const Json plan =
       evaluation::method_named(*options.method).explain(surface, bounds, options.settings);
   print(options.json ? plan.dump(2) + "\n" : for_people(plan));

@@ -4,8 +4,7 @@ namespace apps {
 
 evaluation::TableSource table_source(const HeightOptions& heights,
                                      const evaluation::HeightFile& input) {
-  return {&input, heights.reduction,
-          name_in(level_choices, heights.level.value_or(brdf::Level::none))};
+  return {&input, heights.reduction, heights.level_name()};
 }
 
 void TablesOptions::add_to(CLI::App* sweep) {

@@ -6,31 +6,22 @@
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "evaluation/kernels/series_kernels.cpp"
-#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>  // compiles this file once per instruction set
 #include <hwy/highway.h>
 
+#include "evaluation/kernels/axis_block-inl.h"
 #include "evaluation/kernels/phase_sum.h"
+#include "evaluation/kernels/pixel_kernels.h"
 #include "evaluation/kernels/sine_cosine-inl.h"
 
 // Only plain arrays and Highway inside: a template of the standard library would be instantiated
 // with the instruction set of one target and linked into all of them.
 HWY_BEFORE_NAMESPACE();
-namespace evaluation {
-namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
+namespace evaluation::HWY_NAMESPACE {
 
-using brdf::PixelStrip;
 using brdf::Query;
-using brdf::TableAxis;
 using brdf::TermTable;
 
-constexpr int block = 8;  // queries prepared together
-using D = hn::CappedTag<double, block>;
-using Vec = hn::Vec<D>;
-constexpr D d;
-constexpr hn::RebindToSigned<D> di;
-constexpr int lanes = static_cast<int>(hn::MaxLanes(D()));
 // Four running sums hide the latency of a product and leave registers for the rest.
 constexpr int group = 4;
 constexpr double max_phase_rad = 1e5;  // the reach of sine_cosine
@@ -50,68 +41,6 @@ HWY_INLINE Vec load(const double* from) {
 }
 HWY_INLINE Vec load(const float* from) {
   return hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, D>(), from));
-}
-
-/// One axis of a block of queries.
-struct AxisBlock {
-  HWY_ALIGN double taps[block][brdf::InterpolationKernel::max_width];
-  HWY_ALIGN double first[block];
-  HWY_ALIGN double sign[block];  // of the weights
-};
-
-HWY_INLINE void prepare(const TableAxis& axis, const double* qx, const double* qy, AxisBlock& out) {
-  if (axis.width == 1) {
-    for (int q = 0; q < block; ++q) {
-      out.taps[q][0] = 1;
-      out.first[q] = 0;
-      out.sign[q] = 1;
-    }
-    return;
-  }
-  HWY_ALIGN double t[block], piece[block];
-  for (int q = 0; q < block; q += lanes) {
-    // Products rounded one by one as in the portable loop: both must pick the same grid points.
-    const Vec start =
-        hn::Sub(hn::Add(hn::Mul(hn::Load(d, qx + q), hn::Set(d, axis.grid_per_qx_um)),
-                        hn::Mul(hn::Load(d, qy + q), hn::Set(d, axis.grid_per_qy_um))),
-                hn::Set(d, 0.5 * axis.width));
-    const Vec k0 = hn::Ceil(start);
-    const Vec scaled = hn::Mul(hn::Sub(k0, start), hn::Set(d, axis.pieces));
-    const Vec whole = hn::Min(hn::Floor(scaled), hn::Set(d, axis.pieces - 1.0));
-    const Vec fraction = hn::Sub(scaled, whole);
-    hn::Store(hn::Sub(hn::Add(fraction, fraction), hn::Set(d, 1.0)), d, t + q);
-    hn::Store(whole, d, piece + q);
-    const Vec local = hn::Sub(k0, hn::Set(d, static_cast<double>(axis.first)));
-    const Vec period = hn::Set(d, static_cast<double>(axis.period));
-    const Vec turns = hn::Floor(hn::Div(local, period));
-    const Vec wrapped = hn::Sub(local, hn::Mul(turns, period));
-    hn::Store(hn::Min(hn::Max(wrapped, hn::Zero(d)),
-                      hn::Set(d, static_cast<double>(axis.count - axis.width))),
-              d, out.first + q);
-    const Vec half = hn::Mul(turns, hn::Set(d, 0.5));
-    hn::Store(
-        hn::IfThenElse(hn::Eq(half, hn::Floor(half)), hn::Set(d, 1.0), hn::Set(d, axis.turn_sign)),
-        d, out.sign + q);
-  }
-  constexpr int side_by_side = 4;  // products wait for their forerunner: several queries at once
-  for (int q = 0; q < block; q += side_by_side) {
-    const double* highest[side_by_side];
-    Vec x[side_by_side];
-    for (int k = 0; k < side_by_side; ++k) {
-      const long first_power = static_cast<long>(piece[q + k]) * (axis.degree + 1);
-      highest[k] = axis.coefficients + (first_power + axis.degree) * axis.tap_stride;
-      x[k] = hn::Set(d, t[q + k]);
-    }
-    for (int tap = 0; tap < axis.tap_stride; tap += lanes) {
-      Vec weight[side_by_side];
-      for (int k = 0; k < side_by_side; ++k) weight[k] = hn::LoadU(d, highest[k] + tap);
-      for (long below = tap - axis.tap_stride; below >= tap - axis.degree * axis.tap_stride;
-           below -= axis.tap_stride)
-        for (int k = 0; k < side_by_side; ++k)
-          weight[k] = hn::MulAdd(weight[k], x[k], hn::LoadU(d, highest[k] + below));
-      for (int k = 0; k < side_by_side; ++k) hn::StoreU(weight[k], d, &out.taps[q + k][tap]);
-    }
-  }
 }
 
 /// sum over taps of count vectors of an entry, times T_n of the query: (re, im) added to sum.
@@ -308,79 +237,11 @@ void gather_double(const TermTable<double>& table, const Query* queries, std::si
   gather(table, queries, count, amplitudes);
 }
 
-/// `unrolled` steps of one vector of lanes: the sums are loaded and stored once for all of them.
-template <int unrolled>
-HWY_INLINE void moment_steps(const PixelStrip& strip, const double* from, std::size_t step,
-                             int degrees, double* sums) {
-  Vec twice[unrolled], previous[unrolled], current[unrolled];  // the latter times the weight
-  // Each step may lie in a page of its own, where no hardware looks ahead.
-  const std::size_t left = strip.steps - step;
-  const std::size_t ahead = step + (left < 3 * unrolled ? left - unrolled : 2 * unrolled);
-  for (int u = 0; u < unrolled; ++u) {
-    hwy::Prefetch(from + static_cast<std::ptrdiff_t>(ahead + u) * strip.stride + lanes - 1);
-    const Vec h = hn::LoadU(d, from + static_cast<std::ptrdiff_t>(step + u) * strip.stride);
-    const Vec s =
-        hn::Mul(hn::Sub(h, hn::Set(d, strip.mid_um)), hn::Set(d, strip.per_half_range_um));
-    twice[u] = hn::Add(s, s);
-    current[u] = hn::Set(d, strip.weights[step + u]);
-    previous[u] = hn::Mul(current[u], s);  // T_{-1} = T_1
-  }
-  for (int m = 0; m < degrees; ++m, sums += PixelStrip::lanes) {
-    Vec part[unrolled];
-    for (int u = 0; u < unrolled; ++u) {
-      part[u] = current[u];
-      current[u] = hn::MulSub(twice[u], current[u], previous[u]);
-      previous[u] = part[u];
-    }
-    // In pairs: one long chain of sums would take longer than the products.
-    for (int half = unrolled / 2; half > 0; half /= 2)
-      for (int u = 0; u < half; ++u) part[u] = hn::Add(part[u], part[u + half]);
-    hn::StoreU(hn::Add(hn::LoadU(d, sums), part[0]), d, sums);
-  }
-}
-
-void moments(const PixelStrip& strip, int degrees, double* sums) {
-  for (int i = 0; i < PixelStrip::lanes * degrees; ++i) sums[i] = 0;
-  // Three vectors a step have to stay in registers: 32 of them with AVX-512, 16 else.
-  constexpr int unrolled = lanes == 8 ? 8 : 4;
-  for (int lane = 0; lane < PixelStrip::lanes; lane += lanes) {
-    std::size_t step = 0;
-    for (; step + unrolled <= strip.steps; step += unrolled)
-      moment_steps<unrolled>(strip, strip.first_um + lane, step, degrees, sums + lane);
-    for (; step < strip.steps; ++step)
-      moment_steps<1>(strip, strip.first_um + lane, step, degrees, sums + lane);
-  }
-}
-
-void spread(const brdf::SpreadLine& line, const double* positions, const double* weights, int count,
-            const double* moments) {
-  static_assert(PixelStrip::lanes == block && brdf::SpreadLine::step % lanes == 0);
-  HWY_ALIGN double along[block], across[block] = {};
-  for (int l = 0; l < block; ++l) along[l] = positions[l];
-  AxisBlock axis;
-  prepare(line.axis, along, across, axis);
-  HWY_ALIGN hn::TFromD<decltype(di)> rows[lanes];
-  for (int m = 0; m < lanes; ++m) rows[m] = m * PixelStrip::lanes;
-  const auto degree = hn::Load(di, rows);
-  for (int l = 0; l < count; ++l) {
-    double* const first = line.samples + static_cast<std::size_t>(axis.first[l]) * line.stride;
-    const Vec weight = hn::Set(d, weights[l]);
-    for (int m = 0; m < line.degrees; m += lanes) {
-      const Vec pixel =
-          hn::Mul(weight, hn::GatherIndex(d, moments + m * PixelStrip::lanes + l, degree));
-      double* to = first + m;
-      for (int tap = 0; tap < line.axis.width; ++tap, to += line.stride)
-        hn::StoreU(hn::MulAdd(hn::Set(d, axis.taps[l][tap]), pixel, hn::LoadU(d, to)), d, to);
-    }
-  }
-}
-
 const char* target_name() {
   return hwy::TargetName(HWY_TARGET);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace evaluation
+}  // namespace evaluation::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
@@ -388,16 +249,15 @@ namespace evaluation {
 
 HWY_EXPORT(gather_float);
 HWY_EXPORT(gather_double);
-HWY_EXPORT(moments);
-HWY_EXPORT(spread);
 HWY_EXPORT(target_name);
 
 const brdf::SeriesKernels& vectorised_kernels() {
   static const brdf::SeriesKernels kernels = [] {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    const PixelKernels pixels = vectorised_pixel_kernels();
     return brdf::SeriesKernels{&HWY_DYNAMIC_DISPATCH(gather_float),
-                               &HWY_DYNAMIC_DISPATCH(gather_double), &HWY_DYNAMIC_DISPATCH(moments),
-                               &HWY_DYNAMIC_DISPATCH(spread), vectorised_phase_kernels(),
+                               &HWY_DYNAMIC_DISPATCH(gather_double), pixels.moments, pixels.spread,
+                               vectorised_phase_kernels(),
                                // A sine, a cosine and two products; benchmarks/results.
                                1.1e-9};
   }();
