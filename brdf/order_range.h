@@ -77,7 +77,9 @@ class OrderBands {
       throw Error(Errc::invalid_argument, "band radius " + text(radius) + " must be > 0");
     const double x_per_um = radius * lobe_per_um(surface, x_axis(surface)),
                  y_per_um = radius * lobe_per_um(surface, y_axis(surface));
+    resolution_per_um_ = std::min(x_per_um, y_per_um) / radius;
     if (surface.model == SurfaceModel::replicated) {
+      resolution_per_um_ /= 2;
       // A lobe is the rectangle of both halfwidths.
       along_per_um_ = std::abs(cosine_) * x_per_um + std::abs(sine_) * y_per_um;
       across_per_um_ = std::abs(sine_) * x_per_um + std::abs(cosine_) * y_per_um;
@@ -89,6 +91,10 @@ class OrderBands {
   /// Halfwidths of an order's lobe [cycles/um].
   double along_per_um() const { return along_per_um_; }
   double across_per_um() const { return across_per_um_; }
+
+  /// Steps of frequency that resolve a lobe of power [cycles/um]: sigma_f, by which the trapezoid
+  /// leaves out 2 exp(-pi^2) = 1e-4 of a Gaussian lobe; half a zero where there is no window.
+  double resolution_per_um() const { return resolution_per_um_; }
 
   bool contains(const Query& q) const {
     return reaches(cosine_ * q.qx_per_um + sine_ * q.qy_per_um, lattice_.along, along_per_um_) &&
@@ -109,7 +115,7 @@ class OrderBands {
   }
 
   Lattice lattice_;
-  double cosine_, sine_, along_per_um_ = 0, across_per_um_ = 0;
+  double cosine_, sine_, along_per_um_ = 0, across_per_um_ = 0, resolution_per_um_ = 0;
 };
 
 }  // namespace brdf

@@ -38,15 +38,18 @@ double gain(const Optics& optics, const brdf::Direction& omega_i, const brdf::Di
   return 1;
 }
 
-void Diffraction::evaluate(const brdf::Direction& omega_i, std::span<const brdf::Direction> omega_r,
-                           brdf::Length wavelength, std::span<double> values) const {
+void Diffraction::evaluate(std::span<const Sample> samples, std::span<double> values) const {
   std::vector<brdf::Query> queries;
-  for (const brdf::Direction& direction : omega_r)
-    queries.push_back(query(omega_i, direction, wavelength, depth_));
+  queries.reserve(samples.size());
+  for (const auto& [directions, wavelength] : samples)
+    queries.push_back(query(directions.omega_i, directions.omega_r, wavelength, depth_));
   std::vector<std::complex<double>> amplitudes(queries.size());
   amplitude_.evaluate(queries, amplitudes);
-  for (std::size_t j = 0; j < values.size(); ++j)
-    values[j] = gain(optics_, omega_i, omega_r[j], wavelength) * std::norm(amplitudes[j]);
+  for (std::size_t j = 0; j < values.size(); ++j) {
+    const auto& [directions, wavelength] = samples[j];
+    values[j] = gain(optics_, directions.omega_i, directions.omega_r, wavelength) *
+                std::norm(amplitudes[j]);
+  }
 }
 
 }  // namespace evaluation

@@ -35,8 +35,7 @@ class Diffraction final : public Reflectance {
               DepthFrequency depth = DepthFrequency::scattering_vector)
       : amplitude_(amplitude), optics_(optics), depth_(depth) {}
 
-  void evaluate(const brdf::Direction& omega_i, std::span<const brdf::Direction> omega_r,
-                brdf::Length wavelength, std::span<double> values) const override;
+  void evaluate(std::span<const Sample> samples, std::span<double> values) const override;
 
  private:
   const Amplitude& amplitude_;

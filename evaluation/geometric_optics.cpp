@@ -24,12 +24,13 @@ GeometricOptics::GeometricOptics(const Model& model, brdf::Quantity quantity)
   std::visit([](const auto& surface) { require_valid(surface); }, model_);
 }
 
-void GeometricOptics::evaluate(const brdf::Direction& omega_i,
-                               std::span<const brdf::Direction> omega_r, brdf::Length wavelength,
-                               std::span<double> values) const {
-  const double factor = quantity_ == brdf::Quantity::radiance ? omega_i.z() : 1.0;
-  for (std::size_t j = 0; j < values.size(); ++j)
-    values[j] = factor * std::visit(Brdf{omega_i, omega_r[j], wavelength}, model_);
+void GeometricOptics::evaluate(std::span<const Sample> samples, std::span<double> values) const {
+  for (std::size_t j = 0; j < values.size(); ++j) {
+    const auto& [directions, wavelength] = samples[j];
+    const double factor = quantity_ == brdf::Quantity::radiance ? directions.omega_i.z() : 1.0;
+    values[j] =
+        factor * std::visit(Brdf{directions.omega_i, directions.omega_r, wavelength}, model_);
+  }
 }
 
 }  // namespace evaluation

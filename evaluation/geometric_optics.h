@@ -18,8 +18,7 @@ class GeometricOptics final : public Reflectance {
   /// patch under a coherence window. The model's parameters are checked.
   GeometricOptics(const Model& model, brdf::Quantity quantity);
 
-  void evaluate(const brdf::Direction& omega_i, std::span<const brdf::Direction> omega_r,
-                brdf::Length wavelength, std::span<double> values) const override;
+  void evaluate(std::span<const Sample> samples, std::span<double> values) const override;
 
  private:
   Model model_;

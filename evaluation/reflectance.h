@@ -7,15 +7,25 @@
 
 namespace evaluation {
 
+/// Light and viewer at one point of a surface, both in the frame of the patch there and in its
+/// upper half-space.
+struct DirectionPair {
+  brdf::Direction omega_i, omega_r;
+};
+
+/// One value that is asked for.
+struct Sample {
+  DirectionPair directions;
+  brdf::Length wavelength;
+};
+
 /// A model of a surface that gives what a detector sees. Microfacets are one; so is an amplitude
 /// with its gain.
 class Reflectance {
  public:
   virtual ~Reflectance() = default;
-  /// values[j] at omega_r[j]; it depends on that direction, the light and the wavelength only.
-  /// May be called from many threads.
-  virtual void evaluate(const brdf::Direction& omega_i, std::span<const brdf::Direction> omega_r,
-                        brdf::Length wavelength, std::span<double> values) const = 0;
+  /// values[j] of samples[j]; it depends on that sample only. May be called from many threads.
+  virtual void evaluate(std::span<const Sample> samples, std::span<double> values) const = 0;
 };
 
 }  // namespace evaluation

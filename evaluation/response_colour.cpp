@@ -8,6 +8,8 @@ namespace {
 
 constexpr double visible_first_nm = 380, visible_last_nm = 780;
 
+}  // namespace
+
 SpectralCoverage coverage_of(const Axis& lambda_nm) {
   SpectralCoverage coverage{lambda_nm.front(), lambda_nm.back(), 0};
   for (std::size_t i = 0; i + 1 < lambda_nm.size(); ++i)
@@ -16,6 +18,8 @@ SpectralCoverage coverage_of(const Axis& lambda_nm) {
           std::max(coverage.largest_step_nm, lambda_nm[i + 1] - lambda_nm[i]);
   return coverage;
 }
+
+namespace {
 
 void require_colour(const Axis& lambda_nm) {
   if (lambda_nm.size() < 2)

@@ -21,6 +21,8 @@ struct SpectralCoverage {
   bool is_fine() const { return largest_step_nm <= 10 * (1 + 1e-9); }
 };
 
+SpectralCoverage coverage_of(const Axis& lambda_nm);
+
 /// Colours under D65, one for each viewing angle.
 struct ResponseColours {
   std::vector<brdf::Xyz> xyz;

@@ -14,14 +14,6 @@ namespace {
 /// Cells between two looks at the clock.
 constexpr std::size_t batch_cells = 32;
 
-void require_time(const RunLimits& limits, double lambda_nm) {
-  if (!limits.time || !limits.time->passed()) return;
-  throw brdf::Error(brdf::Errc::over_limit,
-                    "the time limit of " + number_text(limits.time->length.count()) +
-                        " s (--time-limit) was reached at wavelength " + number_text(lambda_nm) +
-                        " nm; nothing was written");
-}
-
 void require_finite(double value, double lambda_nm, double theta_r_deg) {
   if (std::isfinite(value)) return;
   throw brdf::Error(brdf::Errc::not_attainable,
@@ -30,6 +22,13 @@ void require_finite(double value, double lambda_nm, double theta_r_deg) {
 }
 
 }  // namespace
+
+void TimeLimit::require_left(const std::string& where) const {
+  if (std::chrono::steady_clock::now() - start <= length) return;
+  throw brdf::Error(brdf::Errc::over_limit,
+                    "the time limit of " + number_text(length.count()) +
+                        " s (--time-limit) was reached" + where + "; nothing was written");
+}
 
 ResponseMatrix sweep(const SweepRequest& request, const Reflectance& reflectance,
                      const CellSelection& cells, const RunLimits& limits,
@@ -45,12 +44,14 @@ ResponseMatrix sweep(const SweepRequest& request, const Reflectance& reflectance
   parallel_for(rows, limits.threads, [&](std::size_t row) {
     std::span<const std::size_t> columns = cells.columns_of_row(row);
     while (!columns.empty()) {
-      require_time(limits, request.lambda_nm[row]);
+      if (limits.time)
+        limits.time->require_left(" at wavelength " + number_text(request.lambda_nm[row]) + " nm");
       const auto batch = columns.first(std::min(batch_cells, columns.size()));
-      std::vector<brdf::Direction> omega_r;
-      for (const std::size_t column : batch) omega_r.push_back(directions[column]);
+      std::vector<Sample> samples;
+      for (const std::size_t column : batch)
+        samples.push_back({{omega_i, directions[column]}, request.wavelength(row)});
       std::vector<double> values(batch.size());
-      reflectance.evaluate(omega_i, omega_r, request.wavelength(row), values);
+      reflectance.evaluate(samples, values);
       for (std::size_t j = 0; j < batch.size(); ++j) {
         require_finite(values[j], request.lambda_nm[row], request.theta_r_deg[batch[j]]);
         response.values(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(batch[j])) =

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "evaluation/cell_selection.h"
 #include "evaluation/reflectance.h"
@@ -17,7 +18,8 @@ struct TimeLimit {
   std::chrono::steady_clock::time_point start;
   std::chrono::duration<double> length;
 
-  bool passed() const { return std::chrono::steady_clock::now() - start > length; }
+  /// Throws Errc::over_limit once it has passed. where: " at ...", or nothing.
+  void require_left(const std::string& where = {}) const;
 };
 
 /// What a run may use.

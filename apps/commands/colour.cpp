@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "apps/colour_warnings.h"
 #include "apps/commands/commands.h"
 #include "apps/console.h"
 #include "apps/options.h"
@@ -35,19 +36,6 @@ void require_relative(const Json& sidecar, const std::string& file) {
                       fmt::format("{}: holds {}; a colour needs the relative reflectance, whose 1 "
                                   "is the white: sweep --quantity relative",
                                   file, quantity));
-}
-
-void warn_of_coverage(const evaluation::SpectralCoverage& coverage, const std::string& file) {
-  if (!coverage.spans_visible())
-    message(
-        fmt::format("warning: {}: wavelengths from {} to {} nm leave out a part of 400 to "
-                    "700 nm: the colours lack it",
-                    file, coverage.first_nm, coverage.last_nm));
-  if (!coverage.is_fine())
-    message(
-        fmt::format("warning: {}: wavelengths up to {:.6g} nm apart: colours need steps of at "
-                    "most 10 nm, better 5",
-                    file, coverage.largest_step_nm));
 }
 
 Json parameters(const ColourOptions& options, const evaluation::ResponseColours& colours,
@@ -89,17 +77,8 @@ void run(const ColourOptions& options) {
     print(csv);
   }
   warn_of_coverage(colours.coverage, options.file);
-  if (shown.clipped > 0)
-    message(fmt::format("warning: {}: {} of {} colours lie outside {} and were clipped",
-                        options.file, shown.clipped, shown.rgb.size(),
-                        name_in(space_choices, options.space)));
-}
-
-double parse_exposure(const std::string& option, const std::string& text) {
-  const double exposure = parse_number(option, text);
-  if (!(exposure > 0))
-    throw brdf::Error(brdf::Errc::invalid_argument, option + " " + text + ": must be > 0");
-  return exposure;
+  warn_of_clipped(shown.clipped, shown.rgb.size(), "colours", name_in(space_choices, options.space),
+                  options.file);
 }
 
 }  // namespace

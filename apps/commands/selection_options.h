@@ -27,10 +27,13 @@ struct SelectionOptions {
   evaluation::Json parameters(const evaluation::SweepRequest& request, const brdf::Surface& surface,
                               const evaluation::CellSelection& cells) const;
 
+  /// The bands, with the azimuth of the grating vector where none is given.
+  brdf::OrderBands bands(const brdf::Surface& surface, brdf::Angle default_azimuth) const;
+  /// What the bands are, for the sidecar.
+  evaluation::Json bands_json(const brdf::Surface& surface, brdf::Angle default_azimuth) const;
+
  private:
-  brdf::OrderBands::Lattice lattice(const evaluation::SweepRequest& request) const;
-  brdf::OrderBands bands(const evaluation::SweepRequest& request,
-                         const brdf::Surface& surface) const;
+  brdf::OrderBands::Lattice lattice(brdf::Angle default_azimuth) const;
 };
 
 }  // namespace apps

@@ -82,11 +82,7 @@ Json scene_json(const SweepOptions& options, const evaluation::SweepRequest& req
 
 Json diffraction_json(const SweepOptions& options, const brdf::Surface& surface,
                       const brdf::PlanReport& report) {
-  Json p{{"surface", evaluation::name_of(surface.model)}};
-  if (surface.model == brdf::SurfaceModel::replicated)
-    p["replicas"] = {surface.replicas.x, surface.replicas.y};
-  else
-    p["sigma_um"] = surface.window.sigma_um();
+  Json p = illuminated_json(surface);
   p["window_centre"] = surface.origin == brdf::Origin::patch_centre ? "centre" : "corner";
   if (options.settings.terms)
     p["terms"] = *options.settings.terms;

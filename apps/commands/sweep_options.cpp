@@ -22,10 +22,6 @@ const Choices<Preset> preset_choices{{"physical", Preset::physical}, {"thesis", 
 
 namespace {
 
-const Choices<SurfaceModel> surface_choices{{"isolated", SurfaceModel::isolated},
-                                            {"periodic", SurfaceModel::periodic},
-                                            {"replicated", SurfaceModel::replicated}};
-
 const Choices<BinInterpolation> interpolation_choices{{"nearest", BinInterpolation::nearest},
                                                       {"linear", BinInterpolation::linear},
                                                       {"sinc", BinInterpolation::sinc},
@@ -43,8 +39,9 @@ void fill_in_thesis(SweepOptions& options) {
   if (!options.heights.level) options.heights.level = brdf::Level::mean;
   if (!options.settings.radius_sigma_f && *options.method == "taylor")
     options.settings.radius_sigma_f = 4;
-  if (!options.sigma) options.sigma = Length::um(65.0 / 4);  // 4 sigma_s = 65 um
-  if (!options.model) options.model = SurfaceModel::periodic;
+  if (!options.illuminated.sigma)
+    options.illuminated.sigma = Length::um(65.0 / 4);  // 4 sigma_s = 65 um
+  if (!options.illuminated.model) options.illuminated.model = SurfaceModel::periodic;
   if (!options.optics.quantity) options.optics.quantity = Quantity::power;
 }
 
@@ -67,9 +64,6 @@ void require_consistent(const SweepOptions& options, const evaluation::Method& m
     require_knob("--interpolation", evaluation::Knob::interpolation);
   if (options.tolerance && !(*options.tolerance > 0 && *options.tolerance < 1))
     refuse("--tolerance " + brdf::text(*options.tolerance) + ": must lie between 0 and 1");
-  if (options.replicas && *options.model != SurfaceModel::replicated)
-    refuse("--replicas goes with --surface replicated, not " +
-           std::string(evaluation::name_of(*options.model)));
 }
 
 /// Who gives the knobs of one of the sources' series means that series.
@@ -77,7 +71,9 @@ std::string method_meant(const SweepOptions& options) {
   if (options.settings.interpolation) return "pq";
   if (options.settings.radius_sigma_f) return "taylor";
   if (!options.settings.terms && !options.tables.given()) return "auto";
-  return options.replicas || options.model == SurfaceModel::replicated ? "pq" : "taylor";
+  return options.illuminated.replicas || options.illuminated.model == SurfaceModel::replicated
+             ? "pq"
+             : "taylor";
 }
 
 /// What is asked of a diffraction amplitude means nothing to a model without one.
@@ -89,9 +85,9 @@ void require_geometric(const SweepOptions& options) {
       {options.settings.interpolation.has_value(), "--interpolation"},
       {options.tables.given(), "--tables"},
       {options.tolerance.has_value(), "--tolerance"},
-      {options.sigma.has_value(), "--sigma"},
-      {options.model.has_value(), "--surface"},
-      {options.replicas.has_value(), "--replicas"},
+      {options.illuminated.sigma.has_value(), "--sigma"},
+      {options.illuminated.model.has_value(), "--surface"},
+      {options.illuminated.replicas.has_value(), "--replicas"},
       {options.audit.has_value(), "--audit"},
       {options.explain, "--explain"},
       {options.selection.orders_only, "--orders-only"},
@@ -125,8 +121,7 @@ void SweepOptions::resolve() {
     if (!optics.quantity) optics.quantity = Quantity::brdf;
   } else {
     const evaluation::Method& chosen = evaluation::method_named(*method);
-    if (replicas && !model) model = SurfaceModel::replicated;
-    model = surface_model(chosen, model);
+    illuminated.resolve(chosen);
     require_consistent(*this, chosen);
     if (!optics.quantity) optics.quantity = Quantity::relative;
   }
@@ -142,13 +137,8 @@ evaluation::SweepRequest SweepOptions::request() const {
 }
 
 brdf::Surface SweepOptions::surface(const brdf::HeightField& field) const {
-  const Length quarter = Length::um(std::min(field.width_um(), field.height_um()) / 4);
-  const auto [across, down] = replicas.value_or(std::pair(1, 1));
-  return {&field,
-          brdf::GaussianWindow(sigma.value_or(quarter)),
-          *model,
-          preset == Preset::thesis ? brdf::Origin::patch_corner : brdf::Origin::patch_centre,
-          {across, down}};
+  return illuminated.surface(
+      field, preset == Preset::thesis ? brdf::Origin::patch_corner : brdf::Origin::patch_centre);
 }
 
 namespace {
@@ -166,17 +156,7 @@ void add_scene(CLI::App* sweep, SweepOptions& options) {
   add_parsed(sweep, "--lambda", options.lambda_nm, parse_length_axis, "wavelengths",
              "START:STOP:STEP")
       ->required();
-  add_parsed(sweep, "--sigma", options.sigma, parse_length,
-             "standard deviation of the coherence window (default a quarter of the shorter side)",
-             "LENGTH");
-  add_choice(sweep, "--surface", options.model, surface_choices,
-             "how the surface goes on beyond the patch (default isolated; periodic for taylor)");
-  add_parsed(
-      sweep, "--replicas", options.replicas,
-      [](const std::string& option, const std::string& text) {
-        return parse_count_pair(option, text, 1, 1000000);
-      },
-      "copies of the patch side by side, evenly lit, for --surface replicated", "N[,N]");
+  options.illuminated.add_to(sweep);
 }
 
 void add_method(CLI::App* sweep, SweepOptions& options) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "apps/commands/geometric_options.h"
+#include "apps/commands/illuminated_options.h"
 #include "apps/commands/optics_options.h"
 #include "apps/commands/selection_options.h"
 #include "apps/commands/tables_options.h"
@@ -37,9 +38,7 @@ struct SweepOptions {
   evaluation::MethodSettings settings;
   TablesOptions tables;
   std::optional<double> tolerance;
-  std::optional<brdf::Length> sigma;
-  std::optional<brdf::SurfaceModel> model;
-  std::optional<std::pair<int, int>> replicas;
+  IlluminatedOptions illuminated;
   OpticsOptions optics;
   GeometricOptions geometric;
   SelectionOptions selection;

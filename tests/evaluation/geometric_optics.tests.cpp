@@ -17,7 +17,9 @@ using evaluation::GeometricOptics;
 std::vector<double> values(const GeometricOptics& surface, const Direction& omega_i,
                            const std::vector<Direction>& omega_r, Length wavelength) {
   std::vector<double> result(omega_r.size());
-  surface.evaluate(omega_i, omega_r, wavelength, result);
+  std::vector<evaluation::Sample> samples;
+  for (const Direction& direction : omega_r) samples.push_back({{omega_i, direction}, wavelength});
+  surface.evaluate(samples, result);
   return result;
 }
 

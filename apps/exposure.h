@@ -1,0 +1,24 @@
+// How bright a picture is made.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "brdf/colour_matching.h"
+
+namespace apps {
+
+/// A factor of the light, given or chosen by the picture.
+struct Exposure {
+  std::optional<double> factor;
+
+  void add_to(CLI::App* app);
+  /// The factor given, or the one that takes the 99th percentile of the luminances above 0 to 1; 1
+  /// where there are none.
+  double of(std::span<const brdf::Xyz> colours) const;
+  std::string description() const;
+};
+
+}  // namespace apps

@@ -1,0 +1,336 @@
+#include "apps/surface_colours.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "apps/colour_warnings.h"
+#include "apps/console.h"
+#include "apps/memory_limit.h"
+#include "apps/quantities.h"
+#include "evaluation/audit.h"
+#include "evaluation/geometric_optics.h"
+
+namespace apps {
+namespace {
+
+using brdf::Errc;
+using brdf::Error;
+using brdf::Length;
+using evaluation::DirectionPair;
+using evaluation::Json;
+
+/// A power of 1e-4 of the mirror's, shown a thousand times brighter, is then wrong by 0.2 %.
+constexpr double default_tolerance = 1e-5;
+/// A tenth of a just noticeable difference.
+constexpr double default_colour_tolerance = 1e-3;
+constexpr int default_audit = 32;
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw Error(Errc::invalid_argument, what);
+}
+
+std::vector<Eigen::Vector3d> scattering_of(std::span<const DirectionPair> pairs) {
+  std::vector<Eigen::Vector3d> scattering;
+  scattering.reserve(pairs.size());
+  for (const DirectionPair& pair : pairs)
+    scattering.push_back(brdf::scattering_vector(pair.omega_i, pair.omega_r));
+  return scattering;
+}
+
+brdf::Query query_at(const Eigen::Vector3d& s, double k_per_um) {
+  return {k_per_um * s.x(), k_per_um * s.y(), k_per_um * s.z()};
+}
+
+/// The box of all queries: they are straight lines in k.
+brdf::QueryBounds bounds_of(std::span<const Eigen::Vector3d> scattering,
+                            const brdf::SpectralBand& band, double tolerance) {
+  std::vector<brdf::Query> ends;
+  ends.reserve(2 * scattering.size());
+  for (const Eigen::Vector3d& s : scattering) {
+    ends.push_back(query_at(s, band.k_lo_per_um()));
+    ends.push_back(query_at(s, band.k_hi_per_um()));
+  }
+  brdf::QueryBounds bounds = brdf::bounds_of(ends, tolerance);
+  // A little wider: nodes at the ends of the band are rounded.
+  for (double* lo : {&bounds.lo.qx_per_um, &bounds.lo.qy_per_um, &bounds.lo.c_per_um})
+    *lo -= 1e-12 * (1 + std::abs(*lo));
+  for (double* hi : {&bounds.hi.qx_per_um, &bounds.hi.qy_per_um, &bounds.hi.c_per_um})
+    *hi += 1e-12 * (1 + std::abs(*hi));
+  return bounds;
+}
+
+/// Order 0 reaches as far at the longest wavelength, 4 sigma_f or four zeros from its middle.
+double mirror_radius(const brdf::Surface& surface) {
+  const brdf::OrderBands around(surface, {Length::um(1)}, 4);
+  return std::max(around.along_per_um(), around.across_per_um()) * brdf::SpectralBand().last.um();
+}
+
+}  // namespace
+
+SurfaceColourOptions::SurfaceColourOptions()
+    : threads_(static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))) {}
+
+void SurfaceColourOptions::add_to(CLI::App* app) {
+  heights_.add_to(app);
+  add_parsed(app, "--lambda", lambda_nm_, parse_length_axis,
+             "wavelengths, by the trapezoid (default: 380 to 780 nm, as many as the tolerance "
+             "needs in each direction)",
+             "START:STOP:STEP");
+  illuminated_.add_to(app);
+  app->add_option("--method", method_,
+                  "how the amplitude is computed (default auto), or a model without diffraction")
+      ->type_name("auto|chebyshev|direct|" + GeometricOptions::names());
+  add_parsed(app, "--tolerance", tolerance_, parse_number,
+             "largest error of the amplitude, flat patch's peak = 1 (default 1e-5)", "NUMBER");
+  add_parsed(app, "--colour-tolerance", colour_tolerance_, parse_number,
+             "largest error of the integral over wavelengths, as a part of the local brightness "
+             "(default 1e-3)",
+             "NUMBER");
+  optics_.add_to(app);
+  selection_.add_to(app);
+  geometric_.add_to(app);
+  const auto count = [](int lo, int hi) {
+    return [lo, hi](const std::string& option, const std::string& text) {
+      return parse_count(option, text, lo, hi);
+    };
+  };
+  add_parsed(app, "--audit", audit_, count(0, 1000000),
+             "amplitudes held against the direct sum after the run (default 32)", "N");
+  add_parsed(app, "--threads", threads_, count(1, 1024),
+             "threads (default: all); the result does not depend on them", "N");
+  add_memory_limit(app, memory_limit_);
+  add_parsed(app, "--time-limit", time_limit_, parse_duration, "give up after this", "TIME");
+  app->add_flag("--strict", strict_,
+                "fail with 5 where accuracy or sampling cannot be attained, instead of warning");
+}
+
+double SurfaceColourOptions::tolerance() const {
+  return tolerance_.value_or(default_tolerance);
+}
+
+double SurfaceColourOptions::colour_tolerance() const {
+  return colour_tolerance_.value_or(default_colour_tolerance);
+}
+
+evaluation::RunLimits SurfaceColourOptions::limits() const {
+  evaluation::RunLimits limits;
+  limits.threads = threads_;
+  if (time_limit_) limits.time = {std::chrono::steady_clock::now(), *time_limit_};
+  return limits;
+}
+
+brdf::Quantity SurfaceColourOptions::quantity() const {
+  return optics_.quantity.value_or(is_geometric() ? brdf::Quantity::radiance
+                                                  : brdf::Quantity::relative);
+}
+
+OpticsOptions SurfaceColourOptions::resolved_optics() const {
+  OpticsOptions optics = optics_;
+  optics.quantity = quantity();
+  return optics;
+}
+
+void SurfaceColourOptions::require_consistent() const {
+  if (!(tolerance() > 0 && tolerance() < 1))
+    refuse("--tolerance " + brdf::text(tolerance()) + ": must lie between 0 and 1");
+  if (!(colour_tolerance() > 0 && colour_tolerance() < 1))
+    refuse("--colour-tolerance " + brdf::text(colour_tolerance()) + ": must lie between 0 and 1");
+  if (colour_tolerance_ && (lambda_nm_ || selection_.orders_only))
+    refuse(
+        "--colour-tolerance chooses the wavelengths: it goes without --lambda and "
+        "--orders-only");
+  const auto method_is = [&](const char* name) { return method_ == name; };
+  if (!is_geometric() && !method_is("auto") && !method_is("chebyshev") && !method_is("direct"))
+    refuse("--method " + method_ + ": must be one of auto, chebyshev, direct, " +
+           GeometricOptions::names());
+  evaluation::white_scale(quantity());
+  selection_.require_consistent();
+  if (selection_.orders_only && lambda_nm_)
+    refuse("--orders-only and --lambda exclude each other: the orders choose the wavelengths");
+  geometric_.require_consistent(method_, optics_);
+  resolved_optics().require_consistent();
+  if (!is_geometric()) return;
+  const std::pair<bool, const char*> given[] = {
+      {tolerance_.has_value(), "--tolerance"},
+      {colour_tolerance_.has_value(), "--colour-tolerance"},
+      {illuminated_.sigma.has_value(), "--sigma"},
+      {illuminated_.model.has_value(), "--surface"},
+      {illuminated_.replicas.has_value(), "--replicas"},
+      {audit_.has_value(), "--audit"},
+      {selection_.orders_only, "--orders-only"},
+      {optics_.shadowing.has_value(), "--shadowing"}};
+  for (const auto& [is_given, option] : given)
+    if (is_given)
+      refuse(std::string(option) + " has no meaning for --method " + method_ +
+             ", which knows no diffraction");
+}
+
+std::vector<Length> SurfaceColourOptions::wavelengths() const {
+  std::vector<Length> wavelengths;
+  if (lambda_nm_)
+    for (const double nm : lambda_nm_->values) wavelengths.push_back(Length::nm(nm));
+  else
+    for (int nm = 380; nm <= 780; nm += 5) wavelengths.push_back(Length::nm(nm));
+  return wavelengths;
+}
+
+evaluation::SpectralIntegral SurfaceColourOptions::integral(
+    const brdf::Surface& surface, std::span<const Eigen::Vector3d> scattering) const {
+  if (lambda_nm_) return brdf::StepIntegral(wavelengths());
+  const brdf::SpectralBand band;
+  if (selection_.orders_only) return brdf::BandIntegral(band, selection_.bands(surface, {}));
+  const brdf::InterferenceReach reach = interference_reach(surface, colour_tolerance());
+  double farthest_rad = 0;
+  for (const Eigen::Vector3d& s : scattering)
+    farthest_rad = std::max(farthest_rad, reach.phase_rad(s, band));
+  return brdf::AdaptiveIntegral(band, reach, colour_tolerance(), farthest_rad);
+}
+
+Json SurfaceColourOptions::integral_json(const brdf::Surface& surface) const {
+  if (lambda_nm_) return {{"by", "trapezoid"}, {"lambda_nm", axis_json(*lambda_nm_)}};
+  const brdf::SpectralBand band;
+  Json json{{"by", selection_.orders_only ? "bands of the orders" : "adaptive"},
+            {"first_nm", band.first.nm()},
+            {"last_nm", band.last.nm()}};
+  if (!selection_.orders_only) json["tolerance"] = colour_tolerance();
+  if (selection_.orders_only) json["bands"] = selection_.bands_json(surface, {});
+  return json;
+}
+
+Json SurfaceColourOptions::heights_json(const brdf::HeightField& field) const {
+  Json json{{"columns", field.cols()},
+            {"rows", field.rows()},
+            {"pixel_um", {field.dx_um(), field.dy_um()}},
+            {"reduce", heights_.reduction},
+            {"level", heights_.level_name()}};
+  if (heights_.scale.height_range) json["height_range_nm"] = heights_.scale.height_range->nm();
+  return json;
+}
+
+void SurfaceColourOptions::check_sampling(std::span<const Eigen::Vector3d> scattering,
+                                          const brdf::HeightField& field) const {
+  const Length shortest = lambda_nm_ ? Length::nm(lambda_nm_->front()) : brdf::SpectralBand().first;
+  const double k = brdf::wavenumber_per_um(shortest);
+  const auto beyond = std::count_if(scattering.begin(), scattering.end(), [&](const auto& s) {
+    return k * std::abs(s.x()) * field.dx_um() > brdf::pi ||
+           k * std::abs(s.y()) * field.dy_um() > brdf::pi;
+  });
+  if (beyond == 0) return;
+  report_unattained(
+      fmt::format("{}: at {} nm {:.3g} % of the directions go past the Nyquist limit of its {} x "
+                  "{} um pixels",
+                  file(), shortest.nm(),
+                  100 * static_cast<double>(beyond) / static_cast<double>(scattering.size()),
+                  field.dx_um(), field.dy_um()),
+      strict_ ? Attainability::refuse : Attainability::warn);
+}
+
+std::unique_ptr<PatchColours> SurfaceColourOptions::patch(
+    std::span<const Eigen::Vector3d> scattering, std::size_t count) const {
+  require_consistent();
+  if (is_geometric()) refuse("--method " + method_ + " knows no diffraction: nothing to bake");
+  auto patch = std::make_unique<PatchColours>(heights_.read());
+  const brdf::HeightField& field = patch->input.field;
+  const evaluation::Method& method = evaluation::method_named(method_);
+  IlluminatedOptions illuminated = illuminated_;
+  illuminated.resolve(method);
+  patch->surface = illuminated.surface(field, brdf::Origin::patch_centre);
+  check_sampling(scattering, field);
+  if (lambda_nm_) warn_of_coverage(evaluation::coverage_of(*lambda_nm_), file());
+
+  evaluation::SpectralIntegral spectrum =
+      brdf::at_place(file(), [&] { return integral(*patch->surface, scattering); });
+  const brdf::SpectralBand band = lambda_nm_ ? brdf::SpectralBand{Length::nm(lambda_nm_->front()),
+                                                                  Length::nm(lambda_nm_->back())}
+                                             : brdf::SpectralBand{};
+  brdf::QueryBounds bounds = bounds_of(scattering, band, tolerance());
+  bounds.count = count * evaluation::largest_count(spectrum);
+  evaluation::MethodSettings settings;
+  settings.threads = threads_;
+  require_memory({file(), "the picture",
+                  method.bytes(*patch->surface, bounds, settings) +
+                      count * (2 * sizeof(DirectionPair) + sizeof(brdf::Xyz)) +
+                      static_cast<std::size_t>(field.heights_um().size()) * sizeof(double),
+                  "a narrower window, a larger tolerance or --reduce needs less"},
+                 memory_limit_);
+  patch->amplitude = method.plan(*patch->surface, bounds, settings);
+  patch->colours.emplace(*patch->amplitude, std::move(spectrum), quantity());
+  patch->parameters = heights_json(field);
+  patch->parameters.update(illuminated_json(*patch->surface));
+  patch->parameters["method"] = method_;
+  patch->parameters["tolerance"] = tolerance();
+  patch->parameters["integral"] = integral_json(*patch->surface);
+  patch->parameters["observer"] = "CIE 1931 2 degrees";
+  patch->parameters["illuminant"] = "D65";
+  return patch;
+}
+
+Json SurfaceColourOptions::audited(const PatchColours& patch,
+                                   std::span<const Eigen::Vector3d> scattering) const {
+  const brdf::PlanReport report = patch.amplitude->report();
+  const brdf::SpectralBand band;
+  std::vector<brdf::Query> queries;
+  const int wanted = method_ == "direct" ? 0 : audit_.value_or(default_audit);
+  const double lo = lambda_nm_ ? 2e3 * brdf::pi / lambda_nm_->back() : band.k_lo_per_um(),
+               hi = lambda_nm_ ? 2e3 * brdf::pi / lambda_nm_->front() : band.k_hi_per_um();
+  for (int i = 0; i < wanted && !scattering.empty(); ++i) {
+    const auto number = static_cast<std::size_t>(i);
+    const double share = (i + 0.5) / wanted;
+    queries.push_back(query_at(scattering[evaluation::evenly_spread(number, scattering.size())],
+                               lo + share * (hi - lo)));
+  }
+  const evaluation::QueryAudit found = audit(queries, *patch.surface, *patch.amplitude, limits());
+  const double worst = std::max(found.worst_error, report.error_bound);
+  if (!(worst <= tolerance()))
+    report_unattained(fmt::format("{}: the error of the amplitude is {:.3g}, above {:.3g}", file(),
+                                  worst, tolerance()),
+                      strict_ ? Attainability::refuse : Attainability::warn);
+  return {{"amplitude_bound", report.error_bound},
+          {"audit", {{"amplitudes", found.queries}, {"worst_error", found.worst_error}}},
+          {"input_phase_error_rad", report.input_phase_error_rad},
+          {"terms", report.terms},
+          {"relative_to", "the peak of a flat patch"}};
+}
+
+SurfaceColours SurfaceColourOptions::diffraction(std::span<const DirectionPair> pairs) const {
+  const std::vector<Eigen::Vector3d> scattering = scattering_of(pairs);
+  const auto ready = patch(scattering, pairs.size());
+  const OpticsOptions optics = resolved_optics();
+  const evaluation::DiffractionColours colours(*ready->colours, optics.optics(*ready->surface));
+  SurfaceColours result;
+  result.xyz = brdf::at_place(
+      file(), [&] { return colours_of(pairs, colours, limits(), progress_line("colours")); });
+  result.input_sha256 = ready->input.sha256;
+  result.parameters = ready->parameters;
+  result.parameters.update(optics.parameters());
+  result.error = audited(*ready, scattering);
+  result.mirror_radius = mirror_radius(*ready->surface);
+  return result;
+}
+
+SurfaceColours SurfaceColourOptions::geometric(std::span<const DirectionPair> pairs) const {
+  const evaluation::HeightFile input = heights_.read();
+  const OpticsOptions optics = resolved_optics();
+  const auto model = geometric_.model(method_, optics, input.field);
+  const evaluation::GeometricOptics reflectance(model, quantity());
+  const evaluation::SpectralColours colours(reflectance, brdf::StepIntegral(wavelengths()),
+                                            evaluation::white_scale(quantity()));
+  SurfaceColours result;
+  result.xyz = colours_of(pairs, colours, limits(), progress_line("colours"));
+  result.input_sha256 = input.sha256;
+  result.parameters = heights_json(input.field);
+  result.parameters["method"] = method_;
+  result.parameters.update(model_json(model));
+  result.parameters["quantity"] = name_in(quantity_choices, quantity());
+  result.error = {{"of_the_model", "rounding alone"}, {"diffraction", "not modelled"}};
+  return result;
+}
+
+SurfaceColours SurfaceColourOptions::colours(std::span<const DirectionPair> pairs) const {
+  require_consistent();
+  return is_geometric() ? geometric(pairs) : diffraction(pairs);
+}
+
+}  // namespace apps

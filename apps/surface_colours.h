@@ -1,0 +1,84 @@
+// Colours of a surface for the pictures of it: from a height field, or from a volume baked of one.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "apps/commands/geometric_options.h"
+#include "apps/commands/illuminated_options.h"
+#include "apps/commands/optics_options.h"
+#include "apps/commands/selection_options.h"
+#include "apps/options.h"
+#include "apps/patch_colours.h"
+#include "evaluation/direction_colours.h"
+
+namespace apps {
+
+/// Colours, and what a sidecar says of how they were made.
+struct SurfaceColours {
+  std::vector<brdf::Xyz> xyz;
+  std::string input_sha256;
+  evaluation::Json parameters, error;
+  /// Sine of the angle around the mirror direction that the lobe of order 0 fills; 0 without one.
+  double mirror_radius = 0;
+};
+
+/// The options that `map`, `render` and `bake` share: the surface, its light and how exact it is.
+class SurfaceColourOptions {
+ public:
+  SurfaceColourOptions();
+
+  /// Adds the positional FILE and all options of the surface.
+  void add_to(CLI::App* app);
+  const std::string& file() const { return heights_.file; }
+  /// The colours of all pairs, with a progress line, warnings and an audit. The pairs are best
+  /// listed block by block (evaluation/direction_colours.h).
+  SurfaceColours colours(std::span<const evaluation::DirectionPair> pairs) const;
+
+  /// The patch of a height file, ready for `count` colours at scattering vectors inside the box
+  /// around those given. Refuses what has no diffraction.
+  std::unique_ptr<PatchColours> patch(std::span<const Eigen::Vector3d> scattering,
+                                      std::size_t count) const;
+  double tolerance() const;
+  double colour_tolerance() const;
+  evaluation::RunLimits limits() const;
+  brdf::Quantity quantity() const;
+  const std::optional<std::size_t>& memory_limit() const { return memory_limit_; }
+
+ private:
+  void require_consistent() const;
+  bool is_geometric() const { return GeometricOptions::has(method_); }
+  std::vector<brdf::Length> wavelengths() const;
+  evaluation::SpectralIntegral integral(const brdf::Surface& surface,
+                                        std::span<const Eigen::Vector3d> scattering) const;
+  evaluation::Json integral_json(const brdf::Surface& surface) const;
+  evaluation::Json heights_json(const brdf::HeightField& field) const;
+  OpticsOptions resolved_optics() const;
+  void check_sampling(std::span<const Eigen::Vector3d> scattering,
+                      const brdf::HeightField& field) const;
+  SurfaceColours diffraction(std::span<const evaluation::DirectionPair> pairs) const;
+  SurfaceColours geometric(std::span<const evaluation::DirectionPair> pairs) const;
+  evaluation::Json audited(const PatchColours& patch,
+                           std::span<const Eigen::Vector3d> scattering) const;
+
+  HeightOptions heights_;
+  IlluminatedOptions illuminated_;
+  OpticsOptions optics_;
+  GeometricOptions geometric_;
+  SelectionOptions selection_;
+  std::string method_ = "auto";
+  std::optional<double> tolerance_, colour_tolerance_;
+  std::optional<evaluation::Axis> lambda_nm_;
+  std::optional<int> audit_;
+  int threads_;
+  std::optional<std::size_t> memory_limit_;
+  std::optional<std::chrono::duration<double>> time_limit_;
+  bool strict_ = false;
+};
+
+}  // namespace apps
