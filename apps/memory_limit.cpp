@@ -24,8 +24,12 @@ void add_memory_limit(CLI::App* app, std::optional<std::size_t>& limit) {
              "refuse what needs more (default 80 % of the machine's)", "BYTES");
 }
 
+std::size_t memory_allowed(const std::optional<std::size_t>& limit) {
+  return limit.value_or(physical_memory() / 10 * 8);
+}
+
 void require_memory(const MemoryNeed& need, const std::optional<std::size_t>& limit) {
-  const std::size_t allowed = limit.value_or(physical_memory() / 10 * 8);
+  const std::size_t allowed = memory_allowed(limit);
   if (need.bytes > allowed)
     throw brdf::Error(
         brdf::Errc::over_limit,

@@ -9,7 +9,10 @@
 #include "apps/console.h"
 #include "apps/memory_limit.h"
 #include "apps/quantities.h"
+#include "apps/response_input.h"
 #include "evaluation/audit.h"
+#include "evaluation/bake.h"
+#include "evaluation/colour_volume_file.h"
 #include "evaluation/geometric_optics.h"
 
 namespace apps {
@@ -61,13 +64,12 @@ brdf::QueryBounds bounds_of(std::span<const Eigen::Vector3d> scattering,
   return bounds;
 }
 
-/// Order 0 reaches as far at the longest wavelength, 4 sigma_f or four zeros from its middle.
+}  // namespace
+
 double mirror_radius(const brdf::Surface& surface) {
   const brdf::OrderBands around(surface, {Length::um(1)}, 4);
   return std::max(around.along_per_um(), around.across_per_um()) * brdf::SpectralBand().last.um();
 }
-
-}  // namespace
 
 SurfaceColourOptions::SurfaceColourOptions()
     : threads_(static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))) {}
@@ -213,24 +215,23 @@ void SurfaceColourOptions::check_sampling(std::span<const Eigen::Vector3d> scatt
                                           const brdf::HeightField& field) const {
   const Length shortest = lambda_nm_ ? Length::nm(lambda_nm_->front()) : brdf::SpectralBand().first;
   const double k = brdf::wavenumber_per_um(shortest);
-  const auto beyond = std::count_if(scattering.begin(), scattering.end(), [&](const auto& s) {
+  const bool beyond = std::any_of(scattering.begin(), scattering.end(), [&](const auto& s) {
     return k * std::abs(s.x()) * field.dx_um() > brdf::pi ||
            k * std::abs(s.y()) * field.dy_um() > brdf::pi;
   });
-  if (beyond == 0) return;
+  if (!beyond) return;
   report_unattained(
-      fmt::format("{}: at {} nm {:.3g} % of the directions go past the Nyquist limit of its {} x "
-                  "{} um pixels",
-                  file(), shortest.nm(),
-                  100 * static_cast<double>(beyond) / static_cast<double>(scattering.size()),
-                  field.dx_um(), field.dy_um()),
+      fmt::format(
+          "{}: at {} nm directions beyond abs(u) = {:.3g}, abs(v) = {:.3g} of the scattering "
+          "vector go past the Nyquist limit of its {} x {} um pixels",
+          file(), shortest.nm(), brdf::pi / (k * field.dx_um()), brdf::pi / (k * field.dy_um()),
+          field.dx_um(), field.dy_um()),
       strict_ ? Attainability::refuse : Attainability::warn);
 }
 
 std::unique_ptr<PatchColours> SurfaceColourOptions::patch(
     std::span<const Eigen::Vector3d> scattering, std::size_t count) const {
   require_consistent();
-  if (is_geometric()) refuse("--method " + method_ + " knows no diffraction: nothing to bake");
   auto patch = std::make_unique<PatchColours>(heights_.read());
   const brdf::HeightField& field = patch->input.field;
   const evaluation::Method& method = evaluation::method_named(method_);
@@ -328,8 +329,83 @@ SurfaceColours SurfaceColourOptions::geometric(std::span<const DirectionPair> pa
   return result;
 }
 
+void SurfaceColourOptions::require_free_of_patch_options() const {
+  const std::pair<bool, const char*> given[] = {
+      {heights_.scale.width.has_value(), "--width"},
+      {heights_.scale.pixel.has_value(), "--pixel"},
+      {heights_.scale.height_range.has_value(), "--height-range"},
+      {heights_.scale.height_unit.has_value(), "--height-unit"},
+      {heights_.reduction != 1, "--reduce"},
+      {heights_.level.has_value(), "--level"},
+      {lambda_nm_.has_value(), "--lambda"},
+      {method_ != "auto", "--method"},
+      {tolerance_.has_value(), "--tolerance"},
+      {colour_tolerance_.has_value(), "--colour-tolerance"},
+      {illuminated_.sigma.has_value(), "--sigma"},
+      {illuminated_.model.has_value(), "--surface"},
+      {illuminated_.replicas.has_value(), "--replicas"},
+      {selection_.orders_only, "--orders-only"},
+      {audit_.has_value(), "--audit"}};
+  for (const auto& [is_given, option] : given)
+    if (is_given)
+      refuse(std::string(option) + " has no meaning for " + file() +
+             ": it is a volume, in which this was decided when it was baked");
+}
+
+SurfaceColours SurfaceColourOptions::baked(std::span<const DirectionPair> pairs) const {
+  require_free_of_patch_options();
+  const evaluation::ColourVolumeFile volume =
+      evaluation::read_colour_volume(file(), memory_allowed(memory_limit_));
+  const std::string name = evaluation::sidecar_path(file()).string();
+  const auto number = [&](const char* key) {
+    const Json::json_pointer place(std::string("/parameters/") + key);
+    if (!volume.sidecar.contains(place) || !volume.sidecar.at(place).is_number())
+      throw Error(Errc::bad_input, name + ": has no number parameters." + key);
+    return volume.sidecar.at(place).get<double>();
+  };
+  const std::string quantity_baked =
+      sidecar_text(volume.sidecar, "/parameters/quantity", "an unknown quantity");
+  if (optics_.quantity && name_in(quantity_choices, *optics_.quantity) != quantity_baked)
+    refuse("--quantity " + name_in(quantity_choices, *optics_.quantity) + ": " + file() +
+           " was baked of " + quantity_baked);
+  OpticsOptions optics = optics_;
+  for (const auto& [choice, value] : quantity_choices)
+    if (choice == quantity_baked) optics.quantity = value;
+  if (!optics.quantity)
+    throw Error(Errc::bad_input, name + ": parameters.quantity is " + quantity_baked);
+
+  const evaluation::BakedColours lookup(brdf::ColourVolume(volume.grid, volume.numbers));
+  const evaluation::DiffractionColours colours(
+      lookup, {*optics.quantity, number("coherence_area_um2"), optics.facet(),
+               optics.shadowing.value_or(evaluation::Shadowing::none)});
+  SurfaceColours result;
+  result.xyz = colours_of(pairs, colours, limits(), progress_line("colours"));
+  result.input_sha256 = volume.sha256;
+  result.parameters = {{"baked", volume.sidecar.at("parameters")}};
+  result.parameters.update(optics.parameters());
+  if (volume.sidecar.contains("error")) result.error = volume.sidecar.at("error");
+  result.mirror_radius = number("mirror_radius_sine");
+  return result;
+}
+
+brdf::VolumeGrid SurfaceColourOptions::volume_grid() const {
+  require_consistent();
+  if (is_geometric()) refuse("--method " + method_ + " knows no diffraction: nothing to bake");
+  if (evaluation::is_colour_volume(file()))
+    refuse(file() + " is a volume already: bake takes a height field");
+  const evaluation::HeightFile input = heights_.read();
+  IlluminatedOptions illuminated = illuminated_;
+  illuminated.resolve(evaluation::method_named(method_));
+  const brdf::Surface surface = illuminated.surface(input.field, brdf::Origin::patch_centre);
+  return brdf::at_place(file(), [&] {
+    return brdf::VolumeGrid(evaluation::volume_shape(
+        interference_reach(surface, colour_tolerance()), colour_tolerance()));
+  });
+}
+
 SurfaceColours SurfaceColourOptions::colours(std::span<const DirectionPair> pairs) const {
   require_consistent();
+  if (evaluation::is_colour_volume(file())) return baked(pairs);
   return is_geometric() ? geometric(pairs) : diffraction(pairs);
 }
 

@@ -15,6 +15,7 @@
 #include "apps/commands/selection_options.h"
 #include "apps/options.h"
 #include "apps/patch_colours.h"
+#include "brdf/colour_volume.h"
 #include "evaluation/direction_colours.h"
 
 namespace apps {
@@ -27,6 +28,10 @@ struct SurfaceColours {
   /// Sine of the angle around the mirror direction that the lobe of order 0 fills; 0 without one.
   double mirror_radius = 0;
 };
+
+/// Sine of the angle that the lobe of order 0 reaches at 780 nm: 4 sigma_f of the window, or four
+/// zeros of a replicated surface.
+double mirror_radius(const brdf::Surface& surface);
 
 /// The options that `map`, `render` and `bake` share: the surface, its light and how exact it is.
 class SurfaceColourOptions {
@@ -44,6 +49,11 @@ class SurfaceColourOptions {
   /// around those given. Refuses what has no diffraction.
   std::unique_ptr<PatchColours> patch(std::span<const Eigen::Vector3d> scattering,
                                       std::size_t count) const;
+  /// The grid of a volume of these heights; heights that are already one are refused.
+  brdf::VolumeGrid volume_grid() const;
+  /// Amplitudes held against the direct sum; for the sidecar. Warns where they miss the tolerance.
+  evaluation::Json audited(const PatchColours& patch,
+                           std::span<const Eigen::Vector3d> scattering) const;
   double tolerance() const;
   double colour_tolerance() const;
   evaluation::RunLimits limits() const;
@@ -52,6 +62,7 @@ class SurfaceColourOptions {
 
  private:
   void require_consistent() const;
+  void require_free_of_patch_options() const;
   bool is_geometric() const { return GeometricOptions::has(method_); }
   std::vector<brdf::Length> wavelengths() const;
   evaluation::SpectralIntegral integral(const brdf::Surface& surface,
@@ -63,8 +74,7 @@ class SurfaceColourOptions {
                       const brdf::HeightField& field) const;
   SurfaceColours diffraction(std::span<const evaluation::DirectionPair> pairs) const;
   SurfaceColours geometric(std::span<const evaluation::DirectionPair> pairs) const;
-  evaluation::Json audited(const PatchColours& patch,
-                           std::span<const Eigen::Vector3d> scattering) const;
+  SurfaceColours baked(std::span<const evaluation::DirectionPair> pairs) const;
 
   HeightOptions heights_;
   IlluminatedOptions illuminated_;

@@ -120,12 +120,8 @@ class BandQuadratures {
 
   static constexpr double farthest_alias_rad = 400;
 
- private:
-  Length wavelength(double t) const {
-    return Length::um(2 * pi / (k_mid_per_um_ + k_half_per_um_ * t));
-  }
-
-  /// Least y beyond which the transform of the weights stays below a limit.
+  /// Least y beyond which the transform of the weights, Int S xbar exp(i y t) d lambda, stays below
+  /// a limit; at most `farthest_alias_rad`.
   double alias(double limit) const {
     for (double y = farthest_alias_rad; y > 0; y -= 1) {
       double re[3] = {}, im[3] = {};
@@ -141,6 +137,11 @@ class BandQuadratures {
         if (!(std::hypot(re[c], im[c]) <= limit)) return y + 1;
     }
     return 0;
+  }
+
+ private:
+  Length wavelength(double t) const {
+    return Length::um(2 * pi / (k_mid_per_um_ + k_half_per_um_ * t));
   }
 
   double k_mid_per_um_, k_half_per_um_, luminance_um_ = 0;

@@ -23,12 +23,18 @@ constexpr std::string_view magic{"\x93NUMPY\x01\x00", 8};
 constexpr std::size_t prefix_size = magic.size() + 2;  // and the length of the header
 constexpr std::size_t alignment = 64;
 
-std::string_view name_of(NpyType type) {
-  return type == NpyType::real ? "<f8" : "<c16";
-}
+struct TypeRow {
+  NpyType type;
+  std::string_view name;
+  std::size_t numbers, number_bytes;
+};
+constexpr TypeRow types[] = {{NpyType::single, "<f4", 1, sizeof(float)},
+                             {NpyType::real, "<f8", 1, sizeof(double)},
+                             {NpyType::complex_value, "<c16", 2, sizeof(double)}};
 
-std::size_t numbers_of(NpyType type) {
-  return type == NpyType::real ? 1 : 2;
+const TypeRow& row_of(NpyType type) {
+  return *std::find_if(std::begin(types), std::end(types),
+                       [type](const TypeRow& row) { return row.type == type; });
 }
 
 /// The value of a key of the header's Python dictionary, up to the comma or brace behind it.
@@ -75,7 +81,7 @@ std::string npy_header(const NpyShape& shape) {
   std::string extents;
   for (const std::size_t extent : shape.extents) extents += std::to_string(extent) + ", ";
   if (shape.extents.size() > 1) extents.erase(extents.size() - 2);
-  std::string header = "{'descr': '" + std::string(name_of(shape.type)) +
+  std::string header = "{'descr': '" + std::string(row_of(shape.type).name) +
                        "', 'fortran_order': False, 'shape': (" + extents + "), }";
   const std::size_t unpadded = prefix_size + header.size() + 1;
   header.append((alignment - unpadded % alignment) % alignment, ' ');
@@ -84,6 +90,10 @@ std::string npy_header(const NpyShape& shape) {
   bytes += static_cast<char>(header.size() & 255);
   bytes += static_cast<char>(header.size() >> 8);
   return bytes + header;
+}
+
+std::string_view npy_bytes(std::span<const float> numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()};
 }
 
 std::string_view npy_bytes(std::span<const double> numbers) {
@@ -113,36 +123,46 @@ NpyReader::NpyReader(const fs::path& path) : path_(path) {
   head_ = prefix + header;
 
   const auto descr = value_of(header, "descr");
-  if (descr == "'<f8'")
-    shape_.type = NpyType::real;
-  else if (descr == "'<c16'")
-    shape_.type = NpyType::complex_value;
-  else
-    refuse("NPY type " + std::string(descr.value_or("missing")) + ", must be '<f8' or '<c16'");
+  const auto known = std::find_if(std::begin(types), std::end(types), [&](const TypeRow& row) {
+    return descr && descr->size() == row.name.size() + 2 &&
+           descr->substr(1, row.name.size()) == row.name;
+  });
+  if (known == std::end(types))
+    refuse("NPY type " + std::string(descr.value_or("missing")) +
+           ", must be '<f4', '<f8' or '<c16'");
+  shape_.type = known->type;
   if (value_of(header, "fortran_order") != "False") refuse("NPY must be in C order");
   const auto extents = extents_of(value_of(header, "shape").value_or(""));
   if (!extents) refuse("NPY shape is not a tuple of whole numbers");
   shape_.extents = *extents;
-  const auto bytes = product(*extents, numbers_of(shape_.type) * sizeof(double));
+  const auto bytes = product(*extents, known->numbers * known->number_bytes);
   if (!bytes || size - head_.size() != *bytes)
     refuse("NPY shape " + std::string(*value_of(header, "shape")) + " does not match its " +
            std::to_string(size) + " bytes");
-  size_ = *bytes / sizeof(double);
+  number_bytes_ = known->number_bytes;
+  size_ = *bytes / number_bytes_;
 }
 
-void NpyReader::read(std::size_t first, std::span<double> numbers) const {
-  read_bytes(head_.size() + first * sizeof(double), reinterpret_cast<char*>(numbers.data()),
+template <class Real>
+void NpyReader::read(std::size_t first, std::span<Real> numbers) const {
+  if (number_bytes_ != sizeof(Real))
+    refuse("holds numbers of " + std::to_string(number_bytes_) + " bytes, not " +
+           std::to_string(sizeof(Real)));
+  read_bytes(head_.size() + first * sizeof(Real), reinterpret_cast<char*>(numbers.data()),
              numbers.size_bytes());
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (!std::isfinite(numbers[i]))
       refuse("number " + std::to_string(first + i) + " is not finite");
 }
 
+template void NpyReader::read(std::size_t, std::span<float>) const;
+template void NpyReader::read(std::size_t, std::span<double>) const;
+
 std::string NpyReader::sha256() const {
   Sha256 hash;
   hash.update(head_);
   std::string piece(std::size_t{1} << 20, '\0');
-  const std::size_t end = head_.size() + size_ * sizeof(double);
+  const std::size_t end = head_.size() + size_ * number_bytes_;
   for (std::size_t at = head_.size(); at < end; at += piece.size()) {
     piece.resize(std::min(piece.size(), end - at));
     read_bytes(at, piece.data(), piece.size());
@@ -168,7 +188,7 @@ NpyFile read_npy(const fs::path& path, std::size_t limit_bytes) {
                       path.string() + ": " + std::to_string(reader.size() * sizeof(double)) +
                           " bytes, at most " + std::to_string(limit_bytes) + " are read");
   NpyFile result{reader.shape(), std::vector<double>(reader.size()), {}};
-  reader.read(0, result.numbers);
+  reader.read(0, std::span(result.numbers));
   result.sha256 = reader.sha256();
   return result;
 }

@@ -14,6 +14,7 @@ namespace evaluation {
 
 /// Element types that are written and read, little-endian, the last index running fastest.
 enum class NpyType {
+  single,         ///< "<f4"
   real,           ///< "<f8"
   complex_value,  ///< "<c16"
 };
@@ -27,6 +28,7 @@ struct NpyShape {
 std::string npy_header(const NpyShape& shape);
 
 /// The bytes of numbers as they follow a header.
+std::string_view npy_bytes(std::span<const float> numbers);
 std::string_view npy_bytes(std::span<const double> numbers);
 std::string_view npy_bytes(std::span<const std::complex<double>> numbers);
 
@@ -42,8 +44,10 @@ class NpyReader {
   const NpyShape& shape() const { return shape_; }
   /// Numbers in the file, two for a complex one.
   std::size_t size() const { return size_; }
-  /// The numbers from `first` on. Throws Errc::bad_input: cut off, a number that is not finite.
-  void read(std::size_t first, std::span<double> numbers) const;
+  /// The numbers from `first` on, float or double as they are in the file. Throws Errc::bad_input:
+  /// of the other type, cut off, a number that is not finite.
+  template <class Real>
+  void read(std::size_t first, std::span<Real> numbers) const;
   /// Of the whole file. Throws Errc::bad_input where it is cut off.
   std::string sha256() const;
 
@@ -55,7 +59,7 @@ class NpyReader {
   mutable std::ifstream file_;
   std::string head_;
   NpyShape shape_;
-  std::size_t size_ = 0;
+  std::size_t size_ = 0, number_bytes_ = 0;
 };
 
 /// An NPY file: its shape, its numbers (two for a complex one), the SHA-256 of the file.

@@ -25,9 +25,9 @@ void require_finite(double value, double lambda_nm, double theta_r_deg) {
 
 void TimeLimit::require_left(const std::string& where) const {
   if (std::chrono::steady_clock::now() - start <= length) return;
-  throw brdf::Error(brdf::Errc::over_limit,
-                    "the time limit of " + number_text(length.count()) +
-                        " s (--time-limit) was reached" + where + "; nothing was written");
+  throw brdf::Error(brdf::Errc::over_limit, "the time limit of " + number_text(length.count()) +
+                                                " s (--time-limit) was reached" + where +
+                                                "; nothing was written");
 }
 
 ResponseMatrix sweep(const SweepRequest& request, const Reflectance& reflectance,

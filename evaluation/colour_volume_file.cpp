@@ -1,0 +1,74 @@
+#include "evaluation/colour_volume_file.h"
+
+#include <fstream>
+
+#include "evaluation/npy.h"
+
+namespace evaluation {
+namespace {
+
+using brdf::Errc;
+using brdf::Error;
+
+NpyShape npy_shape(const brdf::VolumeGrid& grid) {
+  return {NpyType::single, {grid.points(), static_cast<std::size_t>(grid.shape().terms), 3}};
+}
+
+brdf::VolumeShape shape_of(const Json& sidecar, const std::string& name) {
+  const auto number = [&](const char* key) {
+    const Json::json_pointer place(std::string("/volume/") + key);
+    if (!sidecar.contains(place) || !sidecar.at(place).is_number())
+      throw Error(Errc::bad_input, name + ": has no number volume." + key +
+                                       ": it is not the sidecar of a volume made by bake");
+    return sidecar.at(place).get<double>();
+  };
+  const double terms = number("terms");
+  return {number("centre_step"), number("relative_step"), number("angles_per_r"),
+          terms >= 1 && terms <= 256 ? static_cast<int>(terms) : 0};
+}
+
+}  // namespace
+
+Json volume_json(const brdf::VolumeShape& shape) {
+  return {{"centre_step", shape.centre_step},
+          {"relative_step", shape.relative_step},
+          {"angles_per_r", shape.angles_per_r},
+          {"terms", shape.terms},
+          {"layout", "[point][Chebyshev term in w + 1][X, Y, Z]"}};
+}
+
+bool is_colour_volume(const std::filesystem::path& path) {
+  char head[6] = {};
+  std::ifstream(path, std::ios::binary).read(head, sizeof head);
+  return std::string_view(head, sizeof head) == std::string_view("\x93NUMPY", 6);
+}
+
+ColourVolumeFile read_colour_volume(const std::filesystem::path& path, std::size_t limit_bytes) {
+  const NpyReader reader(path);
+  const std::string sha256 = reader.sha256();
+  Json sidecar = read_sidecar(path, sha256);
+  const std::string sidecar_name = sidecar_path(path).string();
+  if (sidecar.is_null())
+    throw Error(Errc::bad_input,
+                sidecar_name + ": no such file, and without it nothing says what the volume is of");
+  brdf::VolumeGrid grid =
+      brdf::at_place(sidecar_name, [&] { return brdf::VolumeGrid(shape_of(sidecar, "volume")); });
+  const NpyShape expected = npy_shape(grid);
+  if (reader.shape().type != expected.type || reader.shape().extents != expected.extents)
+    throw Error(Errc::bad_input, path.string() + ": its shape is not that of its sidecar, " +
+                                     std::to_string(grid.points()) + " x " +
+                                     std::to_string(grid.shape().terms) + " x 3");
+  if (reader.size() > limit_bytes / sizeof(float))
+    throw Error(Errc::over_limit, path.string() + ": " + std::to_string(reader.size() * 4) +
+                                      " bytes, at most " + std::to_string(limit_bytes) +
+                                      " are read");
+  std::vector<float> numbers(reader.size());
+  reader.read(0, std::span(numbers));
+  return {std::move(grid), std::move(numbers), sha256, std::move(sidecar)};
+}
+
+std::string colour_volume_header(const brdf::VolumeGrid& grid) {
+  return npy_header(npy_shape(grid));
+}
+
+}  // namespace evaluation
