@@ -50,6 +50,7 @@ int run(int argc, char** argv) {
   apps::add_period(app);
   apps::add_plot(app);
   apps::add_colour(app);
+  apps::add_render(app);
   apps::add_validate(app);
   require_known_command(app, argc, argv);
   try {

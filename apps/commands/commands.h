@@ -13,6 +13,7 @@ void add_peaks(CLI::App& app);
 void add_period(CLI::App& app);
 void add_plot(CLI::App& app);
 void add_colour(CLI::App& app);
+void add_render(CLI::App& app);
 void add_validate(CLI::App& app);
 
 }  // namespace apps
