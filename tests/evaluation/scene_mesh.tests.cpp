@@ -34,6 +34,11 @@ TEST_CASE("tangents run along u", "[scene][mesh]") {
   set_texture_tangents(mesh, "x.obj");
   for (const MeshVertex& vertex : mesh.vertices)
     CHECK((vertex.tangent.normalized() + Eigen::Vector3d::UnitY()).norm() <= 1e-15);
+  // Mirrored, u = -x and v = y: dP/du = -x.
+  Mesh mirrored = decoded(vertices + "vt 0 0\nvt -1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+  set_texture_tangents(mirrored, "x.obj");
+  for (const MeshVertex& vertex : mirrored.vertices)
+    CHECK((vertex.tangent.normalized() + Eigen::Vector3d::UnitX()).norm() <= 1e-15);
   Mesh bare = decoded(vertices + "f 1 2 3\n");
   CHECK_ERROR(set_texture_tangents(bare, "x.obj"), Errc::bad_input, "--along");
 }
