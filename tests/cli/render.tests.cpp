@@ -4,7 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
+#include <iomanip>
+#include <sstream>
 #include <stdexcept>
 
 #include "tests/cli/gratings.h"
@@ -57,6 +58,13 @@ std::string digits(const Json& value) {
   return value.dump();
 }
 
+/// An axis takes no more digits than these; 1e-12 deg are far below what a colour shows.
+std::string decimals(double value) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(12) << value;
+  return text.str();
+}
+
 }  // namespace
 
 TEST_CASE("a pixel has the colour that sweep and colour find at its directions",
@@ -78,7 +86,7 @@ TEST_CASE("a pixel has the colour that sweep and colour find at its directions",
     const double theta_r = shown["theta_r_deg"];
     folder.prepare("sweep g.gsf" + wavelengths + " --theta-i " + digits(shown["theta_i_deg"]) +
                    "deg --phi-i " + digits(shown["phi_i_deg"]) + "deg --phi-r " +
-                   digits(shown["phi_r_deg"]) + "deg --theta-r " + digits(shown["theta_r_deg"]) +
+                   digits(shown["phi_r_deg"]) + "deg --theta-r " + decimals(theta_r) +
                    "deg -o R.csv");
     folder.shedlight("colour R.csv --exposure 0.7 -o c.csv");
     const std::vector<Cells> table = table_of(folder.read("c.csv"));
