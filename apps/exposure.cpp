@@ -1,5 +1,7 @@
 #include "apps/exposure.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -16,8 +18,9 @@ constexpr double metered_share = 0.99;
 void Exposure::add_to(CLI::App* app) {
   add_parsed(
       app, "--exposure", factor,
-      [](const std::string& option, const std::string& text) {
-        return text == "auto" ? std::optional<double>() : parse_exposure(option, text);
+      [this](const std::string& option, const std::string& text) {
+        asked_auto = text == "auto";
+        return asked_auto ? std::optional<double>() : parse_exposure(option, text);
       },
       "factor of the light (default auto: one pixel in a hundred is brighter than white)",
       "NUMBER|auto");
@@ -38,6 +41,10 @@ double Exposure::of(std::span<const brdf::Xyz> colours) const {
 
 std::string Exposure::description() const {
   return factor ? "given" : "auto: the 99th percentile of the luminance is white";
+}
+
+std::string Exposure::summary(double exposure) const {
+  return fmt::format("exposure {:.6g} ({})", exposure, description());
 }
 
 }  // namespace apps

@@ -13,12 +13,15 @@ namespace apps {
 /// A factor of the light, given or chosen by the picture.
 struct Exposure {
   std::optional<double> factor;
+  bool asked_auto = false;  ///< by name
 
   void add_to(CLI::App* app);
   /// The factor given, or the one that takes the 99th percentile of the luminances above 0 to 1; 1
   /// where there are none.
   double of(std::span<const brdf::Xyz> colours) const;
   std::string description() const;
+  /// "exposure 7 (auto: ...)"
+  std::string summary(double exposure) const;
 };
 
 }  // namespace apps

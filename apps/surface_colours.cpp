@@ -71,6 +71,10 @@ double mirror_radius(const brdf::Surface& surface) {
   return std::max(around.along_per_um(), around.across_per_um()) * brdf::SpectralBand().last.um();
 }
 
+std::string SurfaceColours::summary() const {
+  return fmt::format("{} colours in {:.3g} s", xyz.size(), seconds);
+}
+
 SurfaceColourOptions::SurfaceColourOptions()
     : threads_(static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))) {}
 
@@ -295,14 +299,22 @@ Json SurfaceColourOptions::audited(const PatchColours& patch,
           {"relative_to", "the peak of a flat patch"}};
 }
 
+void SurfaceColourOptions::evaluate(std::span<const DirectionPair> pairs,
+                                    const evaluation::DirectionColours& colours,
+                                    SurfaceColours& result) const {
+  const auto began = std::chrono::steady_clock::now();
+  result.xyz = brdf::at_place(
+      file(), [&] { return colours_of(pairs, colours, limits(), progress_line("colours")); });
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+}
+
 SurfaceColours SurfaceColourOptions::diffraction(std::span<const DirectionPair> pairs) const {
   const std::vector<Eigen::Vector3d> scattering = scattering_of(pairs);
   const auto ready = patch(scattering, pairs.size());
   const OpticsOptions optics = resolved_optics();
   const evaluation::DiffractionColours colours(*ready->colours, optics.optics(*ready->surface));
   SurfaceColours result;
-  result.xyz = brdf::at_place(
-      file(), [&] { return colours_of(pairs, colours, limits(), progress_line("colours")); });
+  evaluate(pairs, colours, result);
   result.input_sha256 = ready->input.sha256;
   result.parameters = ready->parameters;
   result.parameters.update(optics.parameters());
@@ -319,7 +331,7 @@ SurfaceColours SurfaceColourOptions::geometric(std::span<const DirectionPair> pa
   const evaluation::SpectralColours colours(reflectance, brdf::StepIntegral(wavelengths()),
                                             evaluation::white_scale(quantity()));
   SurfaceColours result;
-  result.xyz = colours_of(pairs, colours, limits(), progress_line("colours"));
+  evaluate(pairs, colours, result);
   result.input_sha256 = input.sha256;
   result.parameters = heights_json(input.field);
   result.parameters["method"] = method_;
@@ -379,7 +391,7 @@ SurfaceColours SurfaceColourOptions::baked(std::span<const DirectionPair> pairs)
       lookup, {*optics.quantity, number("coherence_area_um2"), optics.facet(),
                optics.shadowing.value_or(evaluation::Shadowing::none)});
   SurfaceColours result;
-  result.xyz = colours_of(pairs, colours, limits(), progress_line("colours"));
+  evaluate(pairs, colours, result);
   result.input_sha256 = volume.sha256;
   result.parameters = {{"baked", volume.sidecar.at("parameters")}};
   result.parameters.update(optics.parameters());

@@ -15,6 +15,7 @@ void add_plot(CLI::App& app);
 void add_colour(CLI::App& app);
 void add_map(CLI::App& app);
 void add_bake(CLI::App& app);
+void add_render(CLI::App& app);
 void add_validate(CLI::App& app);
 
 }  // namespace apps

@@ -179,7 +179,8 @@ void run(const MapOptions& options) {
   sidecar["linear_xyz"] = {{"file", npy.filename().string()}, {"sha256", hash.hex()}};
   linear.commit();
   output.commit(png, std::move(sidecar));
-  message(fmt::format("exposure {:.4g} ({})", exposure, options.exposure.description()));
+  message(colours.summary());
+  message(options.exposure.summary(exposure));
   warn_of_clipped(shown.clipped, shown.rgb.size(), "pixels", "srgb", options.surface.file());
 }
 

@@ -15,7 +15,8 @@ const std::string sweep = "sweep g.gsf" + small_scene + " -o ";
 void check_target_refused(const Scratch& folder, const std::string& target) {
   for (const std::string& command :
        {synth, sweep, std::string("peaks R.csv -o "), std::string("plot R.csv -o "),
-        std::string("precompute g.gsf --terms 3 -o "), std::string("colour R.csv -o ")})
+        std::string("precompute g.gsf --terms 3 -o "), std::string("colour R.csv -o "),
+        std::string("render g.gsf --light 1deg,0deg -o ")})
     check_refused(folder, command + target, 4, {target});
 }
 
@@ -47,7 +48,7 @@ TEST_CASE("an output that is a folder is refused", "[cli][output]") {
   check_target_refused(folder, "sub");
   for (const std::string& command :
        {synth, sweep, std::string("peaks R.csv -o "), std::string("plot R.csv -o "),
-        std::string("colour R.csv -o ")})
+        std::string("colour R.csv -o "), std::string("render g.gsf --light 1deg,0deg -o ")})
     check_refused(folder, command + "sub/", 4, {"sub"});
 }
 
@@ -81,7 +82,8 @@ TEST_CASE("results that standard output does not take are an error", "[cli][outp
        {"sweep g.gsf" + small_scene, std::string("peaks R.csv"), std::string("period R.csv"),
         std::string("colour R.csv"), std::string("period R.csv --json"), std::string("info g.gsf"),
         std::string("info g.gsf --json"), "sweep g.gsf" + small_scene + " -o other.csv --json",
-        std::string("validate R.csv R.csv --max-error 1")})
+        std::string("validate R.csv R.csv --max-error 1"),
+        std::string("render g.gsf --light 1deg,0deg --probe 0,0")})
     check_standard_output_refused(folder, command);
 }
 

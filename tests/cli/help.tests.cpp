@@ -5,7 +5,7 @@
 TEST_CASE("help at every level exits 0 and shows a worked example", "[cli][help]") {
   const Scratch folder;
   for (const std::string command : {"", "synth ", "info ", "precompute ", "sweep ", "peaks ",
-                                    "period ", "plot ", "colour ", "validate "}) {
+                                    "period ", "plot ", "colour ", "render ", "validate "}) {
     for (const std::string help : {"--help", "-h"}) {
       const Outcome outcome = folder.shedlight(command + help);
       INFO(command << help);
@@ -39,7 +39,7 @@ TEST_CASE("an unknown subcommand or option is named and refused", "[cli][refusal
        {"synth flat --size 9um --pixels 9 -o older.csv", "info x.png",
         "sweep x.png --theta-i 75deg --theta-r -5deg --lambda 1um", "peaks R.csv", "period R.csv",
         "precompute x.png --terms 3 -o older.csv", "plot R.csv -o older.csv", "colour R.csv",
-        "validate a.csv b.csv --max-error 1"})
+        "render x.png --light 1deg,0deg -o older.csv", "validate a.csv b.csv --max-error 1"})
     check_refused(folder, command + " --frobnicate", 2, {"--frobnicate"});
 }
 
@@ -54,6 +54,7 @@ TEST_CASE("a missing argument is named and refused", "[cli][refusal]") {
   check_refused(folder, "precompute g.gsf --terms 3", 2, {"--output"});
   check_refused(folder, "precompute g.gsf -o t.npy", 2, {"--terms"});
   check_refused(folder, "colour", 2, {"response"});
+  check_refused(folder, "render g.gsf -o older.csv", 2, {"--light"});
   check_refused(folder, "validate a.csv b.csv", 2, {"--max-error"});
   check_refused(folder, "synth blazed --period 1um --height 1um --size 9um --pixels 9", 2,
                 {"--output"});
