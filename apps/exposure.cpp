@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 #include <vector>
 
 #include "apps/colour_warnings.h"
@@ -11,7 +13,7 @@
 namespace apps {
 namespace {
 
-constexpr double metered_share = 0.99;
+constexpr double bright_pixels = 0.01, bright_light = 0.5;
 
 }  // namespace
 
@@ -22,7 +24,8 @@ void Exposure::add_to(CLI::App* app) {
         asked_auto = text == "auto";
         return asked_auto ? std::optional<double>() : parse_exposure(option, text);
       },
-      "factor of the light (default auto: one pixel in a hundred is brighter than white)",
+      "factor of the light (default auto: brighter than white are 1 % of the pixels or half of the "
+      "light)",
       "NUMBER|auto");
 }
 
@@ -32,15 +35,20 @@ double Exposure::of(std::span<const brdf::Xyz> colours) const {
   for (const brdf::Xyz& colour : colours)
     if (colour.y > 0) luminances.push_back(colour.y);
   if (luminances.empty()) return 1;
-  const auto place =
-      luminances.begin() +
-      static_cast<std::ptrdiff_t>(metered_share * static_cast<double>(luminances.size() - 1));
-  std::nth_element(luminances.begin(), place, luminances.end());
-  return 1 / *place;
+  std::sort(luminances.begin(), luminances.end(), std::greater());
+  const double all = std::accumulate(luminances.begin(), luminances.end(), 0.0);
+  const double pixels = bright_pixels * static_cast<double>(luminances.size());
+  double white = luminances.front(), light = 0;
+  for (std::size_t i = 0; i < luminances.size(); ++i) {
+    white = luminances[i];
+    light += luminances[i];
+    if (static_cast<double>(i) >= pixels || light >= bright_light * all) break;
+  }
+  return 1 / white;
 }
 
 std::string Exposure::description() const {
-  return factor ? "given" : "auto: the 99th percentile of the luminance is white";
+  return factor ? "given" : "auto: brighter than white are 1 % of the pixels or half of the light";
 }
 
 std::string Exposure::summary(double exposure) const {

@@ -14,6 +14,7 @@
 #include "evaluation/bake.h"
 #include "evaluation/colour_volume_file.h"
 #include "evaluation/geometric_optics.h"
+#include "evaluation/npy.h"
 
 namespace apps {
 namespace {
@@ -403,7 +404,7 @@ SurfaceColours SurfaceColourOptions::baked(std::span<const DirectionPair> pairs)
 brdf::VolumeGrid SurfaceColourOptions::volume_grid() const {
   require_consistent();
   if (is_geometric()) refuse("--method " + method_ + " knows no diffraction: nothing to bake");
-  if (evaluation::is_colour_volume(file()))
+  if (evaluation::is_npy(file()))
     refuse(file() + " is a volume already: bake takes a height field");
   const evaluation::HeightFile input = heights_.read();
   IlluminatedOptions illuminated = illuminated_;
@@ -417,7 +418,7 @@ brdf::VolumeGrid SurfaceColourOptions::volume_grid() const {
 
 SurfaceColours SurfaceColourOptions::colours(std::span<const DirectionPair> pairs) const {
   require_consistent();
-  if (evaluation::is_colour_volume(file())) return baked(pairs);
+  if (evaluation::is_npy(file())) return baked(pairs);
   return is_geometric() ? geometric(pairs) : diffraction(pairs);
 }
 

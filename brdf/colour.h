@@ -121,18 +121,34 @@ constexpr RgbMatrix rgb_matrix(const std::array<Chromaticity, 3>& primaries, con
   return matrix;
 }
 
+/// Primaries of sRGB (ITU-R BT.709).
+inline constexpr std::array<Chromaticity, 3> srgb_primaries{
+    Chromaticity{0.64, 0.33}, Chromaticity{0.30, 0.60}, Chromaticity{0.15, 0.06}};
+
 /// XYZ to linear sRGB, from the primaries and the white of IEC 61966-2-1 (ITU-R BT.709):
 /// (0.64, 0.33), (0.30, 0.60), (0.15, 0.06), white (0.3127, 0.3290).
 ///
 /// In full double precision: 3.24096994, -1.53738318, ... to 5e-9. The four digits that the
 /// standard prints (3.2406, -1.5372, ...) differ by up to 4e-4.
 inline constexpr RgbMatrix xyz_to_srgb =
-    rgb_matrix({Chromaticity{0.64, 0.33}, Chromaticity{0.30, 0.60}, Chromaticity{0.15, 0.06}},
-               at_unit_luminance({0.3127, 0.3290}));
+    rgb_matrix(srgb_primaries, at_unit_luminance({0.3127, 0.3290}));
 
 /// Linear sRGB; a component outside 0 to 1 is outside the gamut.
 constexpr Rgb linear_srgb(const Xyz& colour) {
   return xyz_to_srgb * colour;
+}
+
+/// The inverse of `linear_srgb`, to 4 eps: the primaries, each times its component.
+constexpr Xyz xyz_of_linear_srgb(const Rgb& linear) {
+  Xyz colour;
+  const double components[] = {linear.r, linear.g, linear.b};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Xyz primary = at_unit_luminance(srgb_primaries[i]);
+    const Xyz& row = xyz_to_srgb[i];
+    const double unit = row.x * primary.x + row.y * primary.y + row.z * primary.z;
+    colour = colour + components[i] / unit * primary;
+  }
+  return colour;
 }
 
 /// CIE RGB (primaries 700, 546.1 and 435.8 nm, white E): the sources' matrix to its five digits,

@@ -1,7 +1,5 @@
 #include "evaluation/colour_volume_file.h"
 
-#include <fstream>
-
 #include "evaluation/npy.h"
 
 namespace evaluation {
@@ -35,12 +33,6 @@ Json volume_json(const brdf::VolumeShape& shape) {
           {"angles_per_r", shape.angles_per_r},
           {"terms", shape.terms},
           {"layout", "[point][Chebyshev term in w + 1][X, Y, Z]"}};
-}
-
-bool is_colour_volume(const std::filesystem::path& path) {
-  char head[6] = {};
-  std::ifstream(path, std::ios::binary).read(head, sizeof head);
-  return std::string_view(head, sizeof head) == std::string_view("\x93NUMPY", 6);
 }
 
 ColourVolumeFile read_colour_volume(const std::filesystem::path& path, std::size_t limit_bytes) {

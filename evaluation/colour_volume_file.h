@@ -21,9 +21,6 @@ struct ColourVolumeFile {
   Json sidecar;
 };
 
-/// Whether a file begins as a volume does; no for one that cannot be read.
-bool is_colour_volume(const std::filesystem::path& path);
-
 /// Sizes are held against the file before memory is taken.
 ///
 /// Throws Errc::bad_input naming file and value: no volume, no sidecar or not its own, another

@@ -77,6 +77,13 @@ std::optional<std::size_t> product(const std::vector<std::size_t>& extents, std:
 
 }  // namespace
 
+bool is_npy(const fs::path& path) {
+  constexpr std::size_t named = 6;  // without the version
+  char head[named] = {};
+  std::ifstream(path, std::ios::binary).read(head, named);
+  return std::string_view(head, named) == magic.substr(0, named);
+}
+
 std::string npy_header(const NpyShape& shape) {
   std::string extents;
   for (const std::size_t extent : shape.extents) extents += std::to_string(extent) + ", ";

@@ -24,6 +24,9 @@ struct NpyShape {
   std::vector<std::size_t> extents;
 };
 
+/// Whether a file begins as NPY does; no for one that cannot be read.
+bool is_npy(const std::filesystem::path& path);
+
 /// What stands before the numbers (format version 1.0), a multiple of 64 bytes.
 std::string npy_header(const NpyShape& shape);
 

@@ -146,9 +146,8 @@ void run(const MapOptions& options) {
   for (std::size_t light = 0; light < options.theta_i.size(); ++light) {
     picture.panels.push_back(panel(options, hemisphere, options.theta_i[light],
                                    std::span(shown.rgb).subspan(light * per_light, per_light)));
-    picture.panels.back().caption = fmt::format(
-        "exposure {:.3g}{}", exposure,
-        apart ? fmt::format(", mirror lobe (Y up to {:.2g}) left out", mirror_luminance) : "");
+    picture.panels.back().caption =
+        fmt::format("exposure {:.4g}{}", exposure, apart ? "; mirror lobe left out" : "");
   }
   const std::string png = draw_png(picture);
 

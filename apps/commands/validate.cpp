@@ -3,12 +3,16 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 
+#include "apps/colour_warnings.h"
 #include "apps/commands/commands.h"
 #include "apps/console.h"
 #include "apps/exit_codes.h"
 #include "apps/options.h"
 #include "apps/quantities.h"
+#include "evaluation/map_difference.h"
+#include "evaluation/npy.h"
 #include "evaluation/readers/file_bytes.h"
 #include "evaluation/response_matrix.h"
 
@@ -18,6 +22,7 @@ namespace {
 struct ValidateOptions {
   std::string file, reference;
   double max_error = 0;
+  std::optional<double> exposure;
 };
 
 evaluation::ResponseMatrix read(const std::string& file) {
@@ -35,10 +40,36 @@ void require_same_axis(const ValidateOptions& options, const evaluation::Axis& a
                   b.back(), b.size()));
 }
 
+std::string verdict(double worst, double allowed) {
+  return worst <= allowed ? "passed" : "FAILED";
+}
+
+/// Maps: how different their colours look.
+void run_maps(const ValidateOptions& options) {
+  if (!options.exposure)
+    throw brdf::Error(brdf::Errc::invalid_argument,
+                      "maps are compared as they are shown: give --exposure, as their sidecars "
+                      "state it");
+  const evaluation::MapDifference found =
+      map_difference(evaluation::read_map(options.file), evaluation::read_map(options.reference),
+                     *options.exposure);
+  print(fmt::format(
+      "{}: CIEDE2000 at exposure {:.6g}: worst {:.3g} in light {}, row {}, column "
+      "{}; mean {:.3g}, 99 % below {:.3g}, of {} pixels; allowed {:.3g}\n",
+      verdict(found.worst, options.max_error), *options.exposure, found.worst, found.light,
+      found.row, found.column, found.mean, found.percentile_99, found.pixels, options.max_error));
+  if (!(found.worst <= options.max_error)) throw ValidationFailed{};
+}
+
 void run(const ValidateOptions& options) {
   if (!(options.max_error >= 0))
     throw brdf::Error(brdf::Errc::invalid_argument,
                       "--max-error " + brdf::text(options.max_error) + ": must be >= 0");
+  if (evaluation::is_npy(options.file) && evaluation::is_npy(options.reference))
+    return run_maps(options);
+  if (options.exposure)
+    throw brdf::Error(brdf::Errc::invalid_argument,
+                      "--exposure has no meaning for responses; it goes with the NPY of maps");
   const evaluation::ResponseMatrix response = read(options.file);
   const evaluation::ResponseMatrix reference = read(options.reference);
   require_same_axis(options, response.lambda_nm, reference.lambda_nm, "lambda_nm");
@@ -49,7 +80,7 @@ void run(const ValidateOptions& options) {
   print(fmt::format(
       "{}: largest difference {:.3g} at {} nm, {} deg ({:.6g} against {:.6g}); "
       "allowed {:.3g}\n",
-      passed ? "passed" : "FAILED", worst, response.lambda_nm[static_cast<std::size_t>(row)],
+      verdict(worst, options.max_error), worst, response.lambda_nm[static_cast<std::size_t>(row)],
       response.theta_r_deg[static_cast<std::size_t>(column)], response.values(row, column),
       reference.values(row, column), options.max_error));
   if (!passed) throw ValidationFailed{};
@@ -60,15 +91,24 @@ void run(const ValidateOptions& options) {
 void add_validate(CLI::App& app) {
   auto options = std::make_shared<ValidateOptions>();
   CLI::App* validate =
-      app.add_subcommand("validate", "Compare two responses; exit 1 where they differ too much");
-  validate->footer("Example:\n  shedlight validate taylor.csv direct.csv --max-error 1e-6");
-  add_parsed(validate, "response", options->file, parse_path, "CSV to be judged", "FILE")
+      app.add_subcommand("validate",
+                         "Compare two responses, or two maps; exit 1 where they differ "
+                         "too much");
+  validate->footer(
+      "Maps, the NPY files of map, are compared by CIEDE2000 at the exposure they are shown at.\n"
+      "Example:\n"
+      "  shedlight validate taylor.csv direct.csv --max-error 1e-6\n"
+      "  shedlight validate baked.npy map.npy --exposure 6460 --max-error 3");
+  add_parsed(validate, "response", options->file, parse_path,
+             "CSV of sweep or NPY of map, to be judged", "FILE")
       ->required();
-  add_parsed(validate, "reference", options->reference, parse_path, "CSV to judge it by", "FILE")
+  add_parsed(validate, "reference", options->reference, parse_path, "what to judge it by", "FILE")
       ->required();
   add_parsed(validate, "--max-error", options->max_error, parse_number,
-             "largest difference allowed in any cell", "NUMBER")
+             "largest difference allowed in any cell, or CIEDE2000 in any pixel", "NUMBER")
       ->required();
+  add_parsed(validate, "--exposure", options->exposure, parse_exposure,
+             "maps: factor of the light that they are shown at", "NUMBER");
   validate->callback([options] { run(*options); });
 }
 
