@@ -61,9 +61,10 @@ class VolumeGrid {
   /// Numbers in a table: three for each term of each point.
   std::size_t size() const { return points_ * static_cast<std::size_t>(shape_.terms) * 3; }
   double radius(int ring) const { return r0() * std::sinh(ring * shape_.relative_step); }
-  /// Points of a ring, at the azimuths 2 pi i / angles.
+  /// Points of a ring, at the azimuths 2 pi i / angles: those of a radius larger by 0.1, since the
+  /// mirror lobe stands out by five decades and its skirts are to be right as well.
   int angles(int ring) const {
-    return ring == 0 ? 1 : 2 * taps + static_cast<int>(shape_.angles_per_r * radius(ring));
+    return ring == 0 ? 1 : 2 * taps + static_cast<int>(shape_.angles_per_r * (radius(ring) + 0.1));
   }
   std::size_t first(int ring) const { return first_[static_cast<std::size_t>(ring)]; }
   /// Position among the rings, not whole.

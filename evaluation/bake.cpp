@@ -13,6 +13,8 @@ namespace {
 constexpr auto shortest = brdf::Length::nm(420);
 /// Points for half the shortest period; six taps then interpolate what is left of it.
 constexpr double oversampling = 1.5;
+/// The same around the mirror direction, where a lobe stands beside light a thousand times weaker.
+constexpr double centre_oversampling = 5;
 /// Points of a ring that are evaluated at once.
 constexpr std::size_t batch_points = 16;
 
@@ -25,7 +27,7 @@ brdf::VolumeShape volume_shape(const brdf::InterferenceReach& reach, double tole
   // Phases per unit of r, and per unit of ln r, that are left.
   const double per_r = k * reach.lateral_um, per_log_r = k * alias_rad / band.k_half_per_um();
   const double vertical_rad = brdf::wavenumber_per_um(shortest) * reach.vertical_um;
-  return {brdf::pi / (oversampling * per_r), brdf::pi / (oversampling * per_log_r),
+  return {brdf::pi / (centre_oversampling * per_r), brdf::pi / (oversampling * per_log_r),
           2 * oversampling * per_r,
           brdf::BandQuadratures::polynomial_count(vertical_rad, tolerance)};
 }
