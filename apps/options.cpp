@@ -65,6 +65,12 @@ evaluation::HeightFile HeightOptions::read() const {
   return input;
 }
 
+void require_not_given(std::initializer_list<Given> options, const std::string& what) {
+  for (const auto& [is_given, option] : options)
+    if (is_given)
+      throw Error(Errc::invalid_argument, std::string(option) + " has no meaning for " + what);
+}
+
 CLI::Option* add_output(CLI::App* app, std::string& output, const std::string& help) {
   return add_parsed(app, "-o,--output", output, parse_path, help, "FILE");
 }

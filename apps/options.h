@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -71,6 +72,12 @@ struct HeightOptions {
 };
 
 extern const Choices<brdf::Level> level_choices;
+
+/// An option of the command line, and whether it was given.
+using Given = std::pair<bool, const char*>;
+
+/// Refuses the first of the options that was given: "--sigma has no meaning for " + what.
+void require_not_given(std::initializer_list<Given> options, const std::string& what);
 
 /// Adds -o; required or not as the caller says with ->required().
 CLI::Option* add_output(CLI::App* app, std::string& output, const std::string& help);

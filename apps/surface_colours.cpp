@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <thread>
 
 #include "apps/colour_warnings.h"
 #include "apps/console.h"
@@ -25,10 +24,6 @@ using brdf::Length;
 using evaluation::DirectionPair;
 using evaluation::Json;
 
-/// A power of 1e-4 of the mirror's, shown a thousand times brighter, is then wrong by 0.2 %.
-constexpr double default_tolerance = 1e-5;
-/// A tenth of a just noticeable difference.
-constexpr double default_colour_tolerance = 1e-3;
 constexpr int default_audit = 32;
 
 [[noreturn]] void refuse(const std::string& what) {
@@ -74,104 +69,6 @@ double mirror_radius(const brdf::Surface& surface) {
 
 std::string SurfaceColours::summary() const {
   return fmt::format("{} colours in {:.3g} s", xyz.size(), seconds);
-}
-
-SurfaceColourOptions::SurfaceColourOptions()
-    : threads_(static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))) {}
-
-void SurfaceColourOptions::add_to(CLI::App* app) {
-  heights_.add_to(app);
-  add_parsed(app, "--lambda", lambda_nm_, parse_length_axis,
-             "wavelengths, by the trapezoid (default: 380 to 780 nm, as many as the tolerance "
-             "needs in each direction)",
-             "START:STOP:STEP");
-  illuminated_.add_to(app);
-  app->add_option("--method", method_,
-                  "how the amplitude is computed (default auto), or a model without diffraction")
-      ->type_name("auto|chebyshev|direct|" + GeometricOptions::names());
-  add_parsed(app, "--tolerance", tolerance_, parse_number,
-             "largest error of the amplitude, flat patch's peak = 1 (default 1e-5)", "NUMBER");
-  add_parsed(app, "--colour-tolerance", colour_tolerance_, parse_number,
-             "largest error of the integral over wavelengths, as a part of the local brightness "
-             "(default 1e-3)",
-             "NUMBER");
-  optics_.add_to(app);
-  selection_.add_to(app);
-  geometric_.add_to(app);
-  const auto count = [](int lo, int hi) {
-    return [lo, hi](const std::string& option, const std::string& text) {
-      return parse_count(option, text, lo, hi);
-    };
-  };
-  add_parsed(app, "--audit", audit_, count(0, 1000000),
-             "amplitudes held against the direct sum after the run (default 32)", "N");
-  add_parsed(app, "--threads", threads_, count(1, 1024),
-             "threads (default: all); the result does not depend on them", "N");
-  add_memory_limit(app, memory_limit_);
-  add_parsed(app, "--time-limit", time_limit_, parse_duration, "give up after this", "TIME");
-  app->add_flag("--strict", strict_,
-                "fail with 5 where accuracy or sampling cannot be attained, instead of warning");
-}
-
-double SurfaceColourOptions::tolerance() const {
-  return tolerance_.value_or(default_tolerance);
-}
-
-double SurfaceColourOptions::colour_tolerance() const {
-  return colour_tolerance_.value_or(default_colour_tolerance);
-}
-
-evaluation::RunLimits SurfaceColourOptions::limits() const {
-  evaluation::RunLimits limits;
-  limits.threads = threads_;
-  if (time_limit_) limits.time = {std::chrono::steady_clock::now(), *time_limit_};
-  return limits;
-}
-
-brdf::Quantity SurfaceColourOptions::quantity() const {
-  return optics_.quantity.value_or(is_geometric() ? brdf::Quantity::radiance
-                                                  : brdf::Quantity::relative);
-}
-
-OpticsOptions SurfaceColourOptions::resolved_optics() const {
-  OpticsOptions optics = optics_;
-  optics.quantity = quantity();
-  return optics;
-}
-
-void SurfaceColourOptions::require_consistent() const {
-  if (!(tolerance() > 0 && tolerance() < 1))
-    refuse("--tolerance " + brdf::text(tolerance()) + ": must lie between 0 and 1");
-  if (!(colour_tolerance() > 0 && colour_tolerance() < 1))
-    refuse("--colour-tolerance " + brdf::text(colour_tolerance()) + ": must lie between 0 and 1");
-  if (colour_tolerance_ && (lambda_nm_ || selection_.orders_only))
-    refuse(
-        "--colour-tolerance chooses the wavelengths: it goes without --lambda and "
-        "--orders-only");
-  const auto method_is = [&](const char* name) { return method_ == name; };
-  if (!is_geometric() && !method_is("auto") && !method_is("chebyshev") && !method_is("direct"))
-    refuse("--method " + method_ + ": must be one of auto, chebyshev, direct, " +
-           GeometricOptions::names());
-  evaluation::white_scale(quantity());
-  selection_.require_consistent();
-  if (selection_.orders_only && lambda_nm_)
-    refuse("--orders-only and --lambda exclude each other: the orders choose the wavelengths");
-  geometric_.require_consistent(method_, optics_);
-  resolved_optics().require_consistent();
-  if (!is_geometric()) return;
-  const std::pair<bool, const char*> given[] = {
-      {tolerance_.has_value(), "--tolerance"},
-      {colour_tolerance_.has_value(), "--colour-tolerance"},
-      {illuminated_.sigma.has_value(), "--sigma"},
-      {illuminated_.model.has_value(), "--surface"},
-      {illuminated_.replicas.has_value(), "--replicas"},
-      {audit_.has_value(), "--audit"},
-      {selection_.orders_only, "--orders-only"},
-      {optics_.shadowing.has_value(), "--shadowing"}};
-  for (const auto& [is_given, option] : given)
-    if (is_given)
-      refuse(std::string(option) + " has no meaning for --method " + method_ +
-             ", which knows no diffraction");
 }
 
 std::vector<Length> SurfaceColourOptions::wavelengths() const {
@@ -340,29 +237,6 @@ SurfaceColours SurfaceColourOptions::geometric(std::span<const DirectionPair> pa
   result.parameters["quantity"] = name_in(quantity_choices, quantity());
   result.error = {{"of_the_model", "rounding alone"}, {"diffraction", "not modelled"}};
   return result;
-}
-
-void SurfaceColourOptions::require_free_of_patch_options() const {
-  const std::pair<bool, const char*> given[] = {
-      {heights_.scale.width.has_value(), "--width"},
-      {heights_.scale.pixel.has_value(), "--pixel"},
-      {heights_.scale.height_range.has_value(), "--height-range"},
-      {heights_.scale.height_unit.has_value(), "--height-unit"},
-      {heights_.reduction != 1, "--reduce"},
-      {heights_.level.has_value(), "--level"},
-      {lambda_nm_.has_value(), "--lambda"},
-      {method_ != "auto", "--method"},
-      {tolerance_.has_value(), "--tolerance"},
-      {colour_tolerance_.has_value(), "--colour-tolerance"},
-      {illuminated_.sigma.has_value(), "--sigma"},
-      {illuminated_.model.has_value(), "--surface"},
-      {illuminated_.replicas.has_value(), "--replicas"},
-      {selection_.orders_only, "--orders-only"},
-      {audit_.has_value(), "--audit"}};
-  for (const auto& [is_given, option] : given)
-    if (is_given)
-      refuse(std::string(option) + " has no meaning for " + file() +
-             ": it is a volume, in which this was decided when it was baked");
 }
 
 SurfaceColours SurfaceColourOptions::baked(std::span<const DirectionPair> pairs) const {

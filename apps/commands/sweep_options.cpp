@@ -78,25 +78,20 @@ std::string method_meant(const SweepOptions& options) {
 
 /// What is asked of a diffraction amplitude means nothing to a model without one.
 void require_geometric(const SweepOptions& options) {
-  const std::pair<bool, const char*> given[] = {
-      {options.preset == Preset::thesis, "--preset thesis"},
-      {options.settings.terms.has_value(), "--terms"},
-      {options.settings.radius_sigma_f.has_value(), "--window-radius"},
-      {options.settings.interpolation.has_value(), "--interpolation"},
-      {options.tables.given(), "--tables"},
-      {options.tolerance.has_value(), "--tolerance"},
-      {options.illuminated.sigma.has_value(), "--sigma"},
-      {options.illuminated.model.has_value(), "--surface"},
-      {options.illuminated.replicas.has_value(), "--replicas"},
-      {options.audit.has_value(), "--audit"},
-      {options.explain, "--explain"},
-      {options.selection.orders_only, "--orders-only"},
-      {options.optics.shadowing.has_value(), "--shadowing"}};
-  for (const auto& [is_given, option] : given)
-    if (is_given)
-      throw brdf::Error(brdf::Errc::invalid_argument,
-                        std::string(option) + " has no meaning for --method " + *options.method +
-                            ", which knows no diffraction");
+  require_not_given({{options.preset == Preset::thesis, "--preset thesis"},
+                     {options.settings.terms.has_value(), "--terms"},
+                     {options.settings.radius_sigma_f.has_value(), "--window-radius"},
+                     {options.settings.interpolation.has_value(), "--interpolation"},
+                     {options.tables.given(), "--tables"},
+                     {options.tolerance.has_value(), "--tolerance"},
+                     {options.illuminated.sigma.has_value(), "--sigma"},
+                     {options.illuminated.model.has_value(), "--surface"},
+                     {options.illuminated.replicas.has_value(), "--replicas"},
+                     {options.audit.has_value(), "--audit"},
+                     {options.explain, "--explain"},
+                     {options.selection.orders_only, "--orders-only"},
+                     {options.optics.shadowing.has_value(), "--shadowing"}},
+                    "--method " + *options.method + ", which knows no diffraction");
   const auto quantity = options.optics.quantity;
   if (quantity == Quantity::power || quantity == Quantity::relative)
     throw brdf::Error(brdf::Errc::invalid_argument,
