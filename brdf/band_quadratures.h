@@ -108,11 +108,11 @@ class BandQuadratures {
   }
 
   /// Steps for which the trapezoid errs by less than the tolerance: it sees a phase x also as
-  /// x - pi N, at which the transform of the eye's functions, Int S xbar exp(i y t) d lambda, must
-  /// be below half the tolerance; y is looked for up to `farthest_alias_rad`. 0 where that is not
-  /// enough.
+  /// x + pi N and x - pi N, at which the transform of the eye's functions, Int S xbar exp(i y t)
+  /// d lambda, must be below a fourth of the tolerance, as two aliases of the oscillation meet two
+  /// of the mean. y is looked for up to `farthest_alias_rad`; 0 where that is not enough.
   int even_count(double phase_rad, double tolerance) const {
-    const double alias_rad = alias(tolerance / 2);
+    const double alias_rad = alias(tolerance / 4);
     return alias_rad < farthest_alias_rad
                ? static_cast<int>(std::ceil((phase_rad + alias_rad) / pi))
                : 0;

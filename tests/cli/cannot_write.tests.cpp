@@ -16,7 +16,8 @@ void check_target_refused(const Scratch& folder, const std::string& target) {
   for (const std::string& command :
        {synth, sweep, std::string("peaks R.csv -o "), std::string("plot R.csv -o "),
         std::string("precompute g.gsf --terms 3 -o "), std::string("colour R.csv -o "),
-        std::string("render g.gsf --light 1deg,0deg -o ")})
+        std::string("render g.gsf --light 1deg,0deg -o "),
+        std::string("map g.gsf --theta-i 1deg --size 16 -o "), std::string("bake g.gsf -o ")})
     check_refused(folder, command + target, 4, {target});
 }
 
@@ -48,7 +49,9 @@ TEST_CASE("an output that is a folder is refused", "[cli][output]") {
   check_target_refused(folder, "sub");
   for (const std::string& command :
        {synth, sweep, std::string("peaks R.csv -o "), std::string("plot R.csv -o "),
-        std::string("colour R.csv -o "), std::string("render g.gsf --light 1deg,0deg -o ")})
+        std::string("colour R.csv -o "), std::string("map g.gsf --theta-i 1deg --size 16 -o "),
+        std::string("bake g.gsf --sigma 0.4um --colour-tolerance 0.1 -o "),
+        std::string("render g.gsf --light 1deg,0deg -o ")})
     check_refused(folder, command + "sub/", 4, {"sub"});
 }
 

@@ -4,8 +4,9 @@
 
 TEST_CASE("help at every level exits 0 and shows a worked example", "[cli][help]") {
   const Scratch folder;
-  for (const std::string command : {"", "synth ", "info ", "precompute ", "sweep ", "peaks ",
-                                    "period ", "plot ", "colour ", "render ", "validate "}) {
+  for (const std::string command :
+       {"", "synth ", "info ", "precompute ", "sweep ", "peaks ", "period ", "plot ", "colour ",
+        "map ", "bake ", "render ", "validate "}) {
     for (const std::string help : {"--help", "-h"}) {
       const Outcome outcome = folder.shedlight(command + help);
       INFO(command << help);

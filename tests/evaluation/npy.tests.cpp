@@ -88,7 +88,9 @@ TEST_CASE("files that are no such array are refused before memory is taken", "[n
   refused("GIF89a and so on, long enough", "not NPY");
   refused(std::string("\x93NUMPY\x02\x00\x10\x00\x00\x00", 12), "not NPY");
   refused(npy(header_of("(2, 3)"), six).substr(0, 40), "cut off");
-  refused(npy(header_of("(2, 3)", "<f4"), six), "'<f4'");
+  refused(npy(header_of("(2, 3)", "<f2"), six), "'<f2'");
+  refused(npy(header_of("(2, 3)", "<f4"), six), "does not match");
+  refused(npy(header_of("(2, 6)", "<f4"), six), "numbers of 4 bytes");
   refused(npy(header_of("(2, 3)", ">f8"), six), "'>f8'");
   refused(npy("{'fortran_order': False, 'shape': (2, 3), }", six), "missing");
   refused(npy("{'descr': '<f8', 'fortran_order': True, 'shape': (2, 3), }", six), "C order");

@@ -1,0 +1,133 @@
+#include "brdf/spectral_integral.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <complex>
+
+#include "brdf/direct_sum.h"
+#include "brdf/synthetic_profile.h"
+#include "tests/support/is_error.h"
+
+namespace {
+
+using brdf::AdaptiveIntegral;
+using brdf::BandIntegral;
+using brdf::Length;
+using brdf::SpectralBand;
+using brdf::SpectralNode;
+using brdf::SurfaceModel;
+using brdf::Xyz;
+using Eigen::Vector3d;
+
+/// Ten periods of 1.3 um, 13 um long.
+struct Grating {
+  brdf::HeightField field =
+      brdf::synthetic_grating({brdf::Profile::sinusoid, Length::nm(1300), Length::nm(180)}, 3, 260,
+                              Length::nm(50), Length::nm(1000));
+  brdf::Surface surface;
+
+  explicit Grating(SurfaceModel model)
+      : surface{&field, brdf::GaussianWindow(Length::um(3)), model} {}
+
+  /// The colour of the power at a scattering vector.
+  template <class Nodes>
+  Xyz colour(const Nodes& nodes, const Vector3d& s) const {
+    std::vector<brdf::Query> queries;
+    for (const SpectralNode& node : nodes) {
+      const double k = wavenumber_per_um(node.wavelength);
+      queries.push_back({k * s.x(), k * s.y(), k * s.z()});
+    }
+    if (queries.empty()) return {};
+    std::vector<std::complex<double>> amplitudes(queries.size());
+    brdf::DirectSum{}.plan(surface, bounds_of(queries, 1e-9)).evaluate(queries, amplitudes);
+    Xyz sum;
+    for (std::size_t i = 0; i < queries.size(); ++i)
+      sum = sum + std::norm(amplitudes[i]) * nodes[i].weight;
+    return sum;
+  }
+};
+
+/// Steps of 0.1 nm: 0.02 rad of phase in the fastest spectrum below.
+brdf::StepIntegral fine_steps() {
+  std::vector<Length> wavelengths;
+  for (int i = 0; i <= 4000; ++i) wavelengths.push_back(Length::nm(380 + 0.1 * i));
+  return brdf::StepIntegral(wavelengths);
+}
+
+double difference(const Xyz& a, const Xyz& b) {
+  return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
+}
+
+std::vector<Vector3d> scattering() {
+  std::vector<Vector3d> all{{0, 0, -2}, {0.01, 0.02, -1.9}};
+  for (const double u : {-0.1, 0.27, 0.41, -0.6, 0.9, 1.4, -1.9})
+    for (const double v : {0.0, 0.05}) all.emplace_back(u, v, -std::sqrt(3.9 - u * u - v * v));
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("the adaptive integral is within its tolerance with fewer wavelengths",
+          "[spectral_integral][oracle]") {
+  const auto reference = fine_steps();
+  for (const auto model : {SurfaceModel::isolated, SurfaceModel::periodic}) {
+    const Grating grating(model);
+    for (const double tolerance : {1e-2, 1e-4}) {
+      const auto reach = interference_reach(grating.surface, tolerance);
+      const AdaptiveIntegral integral({}, reach, tolerance,
+                                      reach.phase_rad({2, 0, -2}, SpectralBand{}));
+      CHECK(integral.nodes({0, 0, -2}).size() < 25);
+      CHECK(integral.nodes({1.9, 0, -0.5}).size() > 2 * integral.nodes({0.1, 0, -2}).size());
+      for (const Vector3d& s : scattering()) {
+        CAPTURE(tolerance, s.transpose());
+        CHECK(difference(grating.colour(integral.nodes(s), s),
+                         grating.colour(reference.nodes(s), s)) <= tolerance);
+      }
+    }
+  }
+}
+
+TEST_CASE("the bands of the orders hold all light of a periodic grating",
+          "[spectral_integral][oracle]") {
+  const Grating grating(SurfaceModel::periodic);
+  const auto reference = fine_steps();
+  const BandIntegral bands({}, brdf::OrderBands(grating.surface, {Length::nm(1300)}, 4));
+  for (const Vector3d& s : scattering()) {
+    CAPTURE(s.transpose());
+    const auto nodes = bands.nodes(s);
+    // 1e-3 of the white: steps of sigma_f leave 1e-4 of a lobe, the ends of the visible the rest.
+    CHECK(difference(grating.colour(nodes, s), grating.colour(reference.nodes(s), s)) <= 1e-3);
+    CHECK(nodes.size() <= bands.largest_count());
+  }
+  CHECK(bands.nodes({0.4, 0.3, -1.5}).empty());  // out of the plane of the orders
+}
+
+TEST_CASE("bands that overlap count once, each with its measure", "[spectral_integral]") {
+  const Grating grating(SurfaceModel::periodic);
+  // A radius of 100 sigma_f covers everything: rho = 1 is white, to 2e-3 of the steps' ends.
+  const BandIntegral all({}, brdf::OrderBands(grating.surface, {Length::nm(1300)}, 100));
+  for (const double u : {0.05, 0.5, 1.5}) {
+    Xyz white;
+    for (const SpectralNode& node : all.nodes({u, 0, -1})) white = white + node.weight;
+    CHECK(std::abs(white.y - 1) <= 2e-3);
+  }
+}
+
+TEST_CASE("interference reaches as far as window and surface let it", "[spectral_integral]") {
+  const double window_um = 2 * 3 * std::sqrt(std::log(1e3));
+  CHECK(interference_reach(Grating(SurfaceModel::periodic).surface, 1e-3).lateral_um ==
+        Approx(window_um));
+  Grating grating(SurfaceModel::isolated);
+  CHECK(interference_reach(grating.surface, 1e-9).lateral_um ==
+        Approx(std::hypot(260 * 0.05, grating.field.height_um())));
+  // 26 samples of a period miss its crests by less than 1 %.
+  CHECK(interference_reach(grating.surface, 1e-9).vertical_um == Approx(0.18).epsilon(1e-2));
+  grating.surface.model = SurfaceModel::replicated;
+  grating.surface.replicas = {3, 1};
+  CHECK(interference_reach(grating.surface, 1e-3).lateral_um ==
+        Approx(std::hypot(3 * 260 * 0.05, grating.field.height_um())));
+}
+
+TEST_CASE("a spectrum that oscillates without end is refused", "[spectral_integral]") {
+  CHECK_ERROR(AdaptiveIntegral({}, {1e4, 1}, 1e-3, 1e5), brdf::Errc::invalid_argument, "--lambda");
+}
