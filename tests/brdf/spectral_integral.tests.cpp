@@ -114,6 +114,9 @@ TEST_CASE("bands that overlap count once, each with its measure", "[spectral_int
 }
 
 TEST_CASE("interference reaches as far as window and surface let it", "[spectral_integral]") {
+  // k_half (5 um + 1.5 um) for abs(u, v) = 0.5, w = -1.5.
+  CHECK(brdf::InterferenceReach{10, 1}.phase_rad({0.3, -0.4, -1.5}, SpectralBand{}) ==
+        Approx((2 * brdf::pi / 0.38 - 2 * brdf::pi / 0.78) / 2 * 6.5));
   const double window_um = 2 * 3 * std::sqrt(std::log(1e3));
   CHECK(interference_reach(Grating(SurfaceModel::periodic).surface, 1e-3).lateral_um ==
         Approx(window_um));
