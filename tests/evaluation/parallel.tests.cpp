@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <mutex>
 #include <numeric>
 #include <set>
@@ -17,6 +18,9 @@ TEST_CASE("a task that throws stops the others and is thrown again", "[invariant
                                  [&](std::size_t i) {
                                    ++calls;
                                    if (i == 10) throw std::runtime_error("ten");
+                                   // All of them take seconds: longer than the thread that throws
+                                   // may have to wait for a busy machine.
+                                   std::this_thread::sleep_for(std::chrono::microseconds(50));
                                  }),
                     "ten");
   CHECK(calls < 100000);
