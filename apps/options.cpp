@@ -36,18 +36,24 @@ void HeightOptions::add_to(CLI::App* app) {
              "height of the full-scale code of an integer image, e.g. 818.69nm", "LENGTH");
   add_parsed(app, "--height-unit", scale.height_unit, parse_length,
              "length of one unit of floating-point heights, e.g. 1nm", "LENGTH");
-  add_parsed(
-      app, "--reduce", reduction,
-      [](const std::string& option, const std::string& text) {
-        return parse_count(option, text, 1, 1 << 14);
-      },
-      "average N x N blocks of pixels", "N");
+  add_parsed(app, "--reduce", reduction, count_between(1, 1 << 14),
+             "average N x N blocks of pixels", "N");
   add_choice(app, "--level", level, level_choices,
              "what is subtracted from the heights (default none)");
 }
 
 std::string HeightOptions::level_name() const {
   return name_in(level_choices, level.value_or(brdf::Level::none));
+}
+
+evaluation::Json HeightOptions::parameters(const brdf::HeightField& field) const {
+  evaluation::Json json{{"columns", field.cols()},
+                        {"rows", field.rows()},
+                        {"pixel_um", {field.dx_um(), field.dy_um()}},
+                        {"reduce", reduction},
+                        {"level", level_name()}};
+  if (scale.height_range) json["height_range_nm"] = scale.height_range->nm();
+  return json;
 }
 
 evaluation::HeightFile HeightOptions::read() const {

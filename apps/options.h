@@ -67,6 +67,8 @@ struct HeightOptions {
   void add_to(CLI::App* app);
   /// What is subtracted, for sidecars.
   std::string level_name() const;
+  /// Grid and preparation of the heights as they were read, for sidecars.
+  evaluation::Json parameters(const brdf::HeightField& field) const;
   /// Reads the file, reduces it, then levels it.
   evaluation::HeightFile read() const;
 };

@@ -22,6 +22,12 @@ std::size_t parse_bytes(const std::string& option, const std::string& text);
 std::chrono::duration<double> parse_duration(const std::string& option, const std::string& text);
 /// A whole number from lo to hi, without a unit.
 int parse_count(const std::string& option, const std::string& text, int lo, int hi);
+/// The same as a parser of an option.
+inline auto count_between(int lo, int hi) {
+  return [lo, hi](const std::string& option, const std::string& text) {
+    return parse_count(option, text, lo, hi);
+  };
+}
 /// A number without a unit.
 double parse_number(const std::string& option, const std::string& text);
 

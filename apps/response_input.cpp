@@ -85,12 +85,8 @@ Json ResponseInput::parameters() const {
 
 void ResponseOptions::add_to(CLI::App* app) {
   add_parsed(app, "response", file, parse_path, "CSV written by sweep", "FILE")->required();
-  add_parsed(
-      app, "--order", search.order,
-      [](const std::string& option, const std::string& text) {
-        return parse_count(option, text, -1000, 1000);
-      },
-      "order of diffraction, positive towards the light (default 1)", "M");
+  add_parsed(app, "--order", search.order, count_between(-1000, 1000),
+             "order of diffraction, positive towards the light (default 1)", "M");
   add_parsed(app, "--period-guess", search.period_guess, parse_length,
              "look within half an order of where this period puts the order", "LENGTH");
   add_parsed(app, "--period-range", search.period_range, parse_length_interval,

@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <thread>
-
-#include "apps/memory_limit.h"
 #include "apps/quantities.h"
 #include "apps/surface_colours.h"
 
@@ -18,9 +14,6 @@ constexpr double default_colour_tolerance = 1e-3;
 }
 
 }  // namespace
-
-SurfaceColourOptions::SurfaceColourOptions()
-    : threads_(static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))) {}
 
 void SurfaceColourOptions::add_to(CLI::App* app) {
   heights_.add_to(app);
@@ -41,19 +34,9 @@ void SurfaceColourOptions::add_to(CLI::App* app) {
   optics_.add_to(app);
   selection_.add_to(app);
   geometric_.add_to(app);
-  const auto count = [](int lo, int hi) {
-    return [lo, hi](const std::string& option, const std::string& text) {
-      return parse_count(option, text, lo, hi);
-    };
-  };
-  add_parsed(app, "--audit", audit_, count(0, 1000000),
+  add_parsed(app, "--audit", audit_, count_between(0, 1000000),
              "amplitudes held against the direct sum after the run (default 32)", "N");
-  add_parsed(app, "--threads", threads_, count(1, 1024),
-             "threads (default: all); the result does not depend on them", "N");
-  add_memory_limit(app, memory_limit_);
-  add_parsed(app, "--time-limit", time_limit_, parse_duration, "give up after this", "TIME");
-  app->add_flag("--strict", strict_,
-                "fail with 5 where accuracy or sampling cannot be attained, instead of warning");
+  run_.add_to(app);
 }
 
 double SurfaceColourOptions::tolerance() const {
@@ -62,13 +45,6 @@ double SurfaceColourOptions::tolerance() const {
 
 double SurfaceColourOptions::colour_tolerance() const {
   return colour_tolerance_.value_or(default_colour_tolerance);
-}
-
-evaluation::RunLimits SurfaceColourOptions::limits() const {
-  evaluation::RunLimits limits;
-  limits.threads = threads_;
-  if (time_limit_) limits.time = {std::chrono::steady_clock::now(), *time_limit_};
-  return limits;
 }
 
 brdf::Quantity SurfaceColourOptions::quantity() const {

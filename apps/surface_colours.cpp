@@ -103,16 +103,6 @@ Json SurfaceColourOptions::integral_json(const brdf::Surface& surface) const {
   return json;
 }
 
-Json SurfaceColourOptions::heights_json(const brdf::HeightField& field) const {
-  Json json{{"columns", field.cols()},
-            {"rows", field.rows()},
-            {"pixel_um", {field.dx_um(), field.dy_um()}},
-            {"reduce", heights_.reduction},
-            {"level", heights_.level_name()}};
-  if (heights_.scale.height_range) json["height_range_nm"] = heights_.scale.height_range->nm();
-  return json;
-}
-
 void SurfaceColourOptions::check_sampling(std::span<const Eigen::Vector3d> scattering,
                                           const brdf::HeightField& field) const {
   const Length shortest = lambda_nm_ ? Length::nm(lambda_nm_->front()) : brdf::SpectralBand().first;
@@ -128,7 +118,7 @@ void SurfaceColourOptions::check_sampling(std::span<const Eigen::Vector3d> scatt
           "vector go past the Nyquist limit of its {} x {} um pixels",
           file(), shortest.nm(), brdf::pi / (k * field.dx_um()), brdf::pi / (k * field.dy_um()),
           field.dx_um(), field.dy_um()),
-      strict_ ? Attainability::refuse : Attainability::warn);
+      run_.attainability());
 }
 
 std::unique_ptr<PatchColours> SurfaceColourOptions::patch(
@@ -151,16 +141,16 @@ std::unique_ptr<PatchColours> SurfaceColourOptions::patch(
   brdf::QueryBounds bounds = bounds_of(scattering, band, tolerance());
   bounds.count = count * evaluation::largest_count(spectrum);
   evaluation::MethodSettings settings;
-  settings.threads = threads_;
+  settings.threads = run_.threads;
   require_memory({file(), "the picture",
                   method.bytes(*patch->surface, bounds, settings) +
                       count * (2 * sizeof(DirectionPair) + sizeof(brdf::Xyz)) +
                       static_cast<std::size_t>(field.heights_um().size()) * sizeof(double),
                   "a narrower window, a larger tolerance or --reduce needs less"},
-                 memory_limit_);
+                 run_.memory_limit);
   patch->amplitude = method.plan(*patch->surface, bounds, settings);
   patch->colours.emplace(*patch->amplitude, std::move(spectrum), quantity());
-  patch->parameters = heights_json(field);
+  patch->parameters = heights_.parameters(field);
   patch->parameters.update(illuminated_json(*patch->surface));
   patch->parameters["method"] = method_;
   patch->parameters["tolerance"] = tolerance();
@@ -184,12 +174,13 @@ Json SurfaceColourOptions::audited(const PatchColours& patch,
     queries.push_back(query_at(scattering[evaluation::evenly_spread(number, scattering.size())],
                                lo + share * (hi - lo)));
   }
-  const evaluation::QueryAudit found = audit(queries, *patch.surface, *patch.amplitude, limits());
+  const evaluation::QueryAudit found =
+      audit(queries, *patch.surface, *patch.amplitude, run_.limits());
   const double worst = std::max(found.worst_error, report.error_bound);
   if (!(worst <= tolerance()))
     report_unattained(fmt::format("{}: the error of the amplitude is {:.3g}, above {:.3g}", file(),
                                   worst, tolerance()),
-                      strict_ ? Attainability::refuse : Attainability::warn);
+                      run_.attainability());
   return {{"amplitude_bound", report.error_bound},
           {"audit", {{"amplitudes", found.queries}, {"worst_error", found.worst_error}}},
           {"input_phase_error_rad", report.input_phase_error_rad},
@@ -202,7 +193,7 @@ void SurfaceColourOptions::evaluate(std::span<const DirectionPair> pairs,
                                     SurfaceColours& result) const {
   const auto began = std::chrono::steady_clock::now();
   result.xyz = brdf::at_place(
-      file(), [&] { return colours_of(pairs, colours, limits(), progress_line("colours")); });
+      file(), [&] { return colours_of(pairs, colours, run_.limits(), progress_line("colours")); });
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 }
 
@@ -231,7 +222,7 @@ SurfaceColours SurfaceColourOptions::geometric(std::span<const DirectionPair> pa
   SurfaceColours result;
   evaluate(pairs, colours, result);
   result.input_sha256 = input.sha256;
-  result.parameters = heights_json(input.field);
+  result.parameters = heights_.parameters(input.field);
   result.parameters["method"] = method_;
   result.parameters.update(model_json(model));
   result.parameters["quantity"] = name_in(quantity_choices, quantity());
@@ -242,7 +233,7 @@ SurfaceColours SurfaceColourOptions::geometric(std::span<const DirectionPair> pa
 SurfaceColours SurfaceColourOptions::baked(std::span<const DirectionPair> pairs) const {
   require_free_of_patch_options();
   const evaluation::ColourVolumeFile volume =
-      evaluation::read_colour_volume(file(), memory_allowed(memory_limit_));
+      evaluation::read_colour_volume(file(), memory_allowed(run_.memory_limit));
   const std::string name = evaluation::sidecar_path(file()).string();
   const auto number = [&](const char* key) {
     const Json::json_pointer place(std::string("/parameters/") + key);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,6 +11,7 @@
 #include "apps/commands/geometric_options.h"
 #include "apps/commands/illuminated_options.h"
 #include "apps/commands/optics_options.h"
+#include "apps/commands/run_options.h"
 #include "apps/commands/selection_options.h"
 #include "apps/options.h"
 #include "apps/patch_colours.h"
@@ -40,8 +40,6 @@ double mirror_radius(const brdf::Surface& surface);
 /// The options that `map`, `render` and `bake` share: the surface, its light and how exact it is.
 class SurfaceColourOptions {
  public:
-  SurfaceColourOptions();
-
   /// Adds the positional FILE and all options of the surface.
   void add_to(CLI::App* app);
   const std::string& file() const { return heights_.file; }
@@ -60,9 +58,8 @@ class SurfaceColourOptions {
                            std::span<const Eigen::Vector3d> scattering) const;
   double tolerance() const;
   double colour_tolerance() const;
-  evaluation::RunLimits limits() const;
   brdf::Quantity quantity() const;
-  const std::optional<std::size_t>& memory_limit() const { return memory_limit_; }
+  const RunOptions& run() const { return run_; }
 
  private:
   void require_consistent() const;
@@ -72,7 +69,6 @@ class SurfaceColourOptions {
   evaluation::SpectralIntegral integral(const brdf::Surface& surface,
                                         std::span<const Eigen::Vector3d> scattering) const;
   evaluation::Json integral_json(const brdf::Surface& surface) const;
-  evaluation::Json heights_json(const brdf::HeightField& field) const;
   OpticsOptions resolved_optics() const;
   void check_sampling(std::span<const Eigen::Vector3d> scattering,
                       const brdf::HeightField& field) const;
@@ -91,10 +87,7 @@ class SurfaceColourOptions {
   std::optional<double> tolerance_, colour_tolerance_;
   std::optional<evaluation::Axis> lambda_nm_;
   std::optional<int> audit_;
-  int threads_;
-  std::optional<std::size_t> memory_limit_;
-  std::optional<std::chrono::duration<double>> time_limit_;
-  bool strict_ = false;
+  RunOptions run_;
 };
 
 }  // namespace apps

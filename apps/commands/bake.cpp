@@ -96,7 +96,7 @@ void run(const BakeOptions& options) {
   const brdf::VolumeGrid grid = options.surface.volume_grid();
   require_memory({options.surface.file(), "the volume", grid.size() * sizeof(float),
                   "a narrower window (--sigma) or a larger --colour-tolerance needs less"},
-                 options.surface.memory_limit());
+                 options.surface.run().memory_limit);
   const std::string header = evaluation::colour_volume_header(grid);
   evaluation::require_room(options.output, header.size() + grid.size() * sizeof(float));
   const auto patch =
@@ -104,7 +104,7 @@ void run(const BakeOptions& options) {
                             grid.points() * static_cast<std::size_t>(grid.shape().terms));
   const auto began = std::chrono::steady_clock::now();
   const std::vector<float> numbers = brdf::at_place(options.surface.file(), [&] {
-    return bake(grid, *patch->colours, options.surface.limits(), progress_line("bake"));
+    return bake(grid, *patch->colours, options.surface.run().limits(), progress_line("bake"));
   });
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
 

@@ -211,12 +211,8 @@ void add_map(CLI::App& app) {
       ->required();
   add_parsed(map, "--phi-i", options->phi_i, parse_angle, "azimuth of the light (default 0deg)",
              "ANGLE");
-  add_parsed(
-      map, "--size", options->size,
-      [](const std::string& option, const std::string& text) {
-        return parse_count(option, text, 16, 4096);
-      },
-      "pixels along a side of the hemisphere (default 512)", "N");
+  add_parsed(map, "--size", options->size, count_between(16, 4096),
+             "pixels along a side of the hemisphere (default 512)", "N");
   options->exposure.add_to(map);
   add_choice(map, "--mirror-lobe", options->mirror, mirror_choices,
              "whether the lobe around the mirror direction is drawn (default shown)");

@@ -108,12 +108,8 @@ void add_precompute(CLI::App& app) {
       "  shedlight sweep scan.png --width 65um --height-range 818.69nm --theta-i 75deg \\\n"
       "    --theta-r -50:-25:0.05deg --lambda 380:780:1nm --tables tables.npy -o R.csv");
   options->heights.add_to(precompute);
-  add_parsed(
-      precompute, "--terms", options->terms,
-      [](const std::string& option, const std::string& text) {
-        return parse_count(option, text, 1, brdf::max_taylor_terms);
-      },
-      "number of tables, powers 0 to N-1", "N")
+  add_parsed(precompute, "--terms", options->terms, count_between(1, brdf::max_taylor_terms),
+             "number of tables, powers 0 to N-1", "N")
       ->required();
   add_choice(precompute, "--normalise", options->normalisation, normalisation_choices,
              "extrema: real and imaginary part of each table scaled to [0, 1], as the sources do "

@@ -1,7 +1,6 @@
 // shedlight sweep: the response over wavelength and viewing angle.
 #include <fmt/format.h>
 
-#include <chrono>
 #include <memory>
 
 #include "apps/commands/commands.h"
@@ -28,7 +27,7 @@ double tolerance(const SweepOptions& options) {
 void require_memory(std::size_t needed, const SweepOptions& options) {
   apps::require_memory({options.heights.file, "the sweep", needed,
                         "a smaller range, a larger tolerance or --reduce needs less"},
-                       options.memory_limit);
+                       options.run.memory_limit);
 }
 
 void check_sampling(const evaluation::SweepRequest& request, const brdf::HeightField& field,
@@ -43,7 +42,7 @@ void check_sampling(const evaluation::SweepRequest& request, const brdf::HeightF
       fmt::format("{}: at {} nm the viewing angles go past the Nyquist limit of its {} x {} um "
                   "pixels: {}",
                   options.heights.file, excess->lambda_nm, field.dx_um(), field.dy_um(), safe),
-      options.attainability());
+      options.run.attainability());
 }
 
 /// Says where the error stated, or the error found, is above what was asked for.
@@ -55,19 +54,13 @@ void check_error(const char* what, double error, const SweepOptions& options) {
   report_unattained(
       fmt::format("{}: {} of the amplitude is {:.3g}, above {:.3g}{}", options.heights.file, what,
                   error, limit, options.settings.terms ? "; more --terms lower it" : ""),
-      options.attainability());
+      options.run.attainability());
 }
 
 /// What every method has in common.
 Json scene_json(const SweepOptions& options, const evaluation::SweepRequest& request,
                 const brdf::HeightField& field) {
-  Json p{{"columns", field.cols()},
-         {"rows", field.rows()},
-         {"pixel_um", {field.dx_um(), field.dy_um()}},
-         {"reduce", options.heights.reduction},
-         {"level", options.heights.level_name()}};
-  if (options.heights.scale.height_range)
-    p["height_range_nm"] = options.heights.scale.height_range->nm();
+  Json p = options.heights.parameters(field);
   p["preset"] = name_in(preset_choices, options.preset);
   p["theta_i_deg"] = request.theta_i.deg();
   p["phi_i_deg"] = request.phi_i.deg();
@@ -76,7 +69,7 @@ Json scene_json(const SweepOptions& options, const evaluation::SweepRequest& req
   p["lambda_nm"] = axis_json(request.lambda_nm);
   p["method"] = *options.method;
   p["layout"] = name_in(layout_choices, options.layout);
-  p["strict"] = options.strict;
+  p["strict"] = options.run.strict;
   return p;
 }
 
@@ -205,9 +198,7 @@ void explain(const SweepOptions& options, const evaluation::SweepRequest& reques
 }
 
 void run(SweepOptions options) {
-  evaluation::RunLimits limits;
-  if (options.time_limit) limits.time = {std::chrono::steady_clock::now(), *options.time_limit};
-  limits.threads = options.settings.threads;
+  const evaluation::RunLimits limits = options.run.limits();
   options.resolve();
   const evaluation::SweepRequest request = options.request();
   std::optional<evaluation::OutputWithSidecar> output;

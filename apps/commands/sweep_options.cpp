@@ -1,9 +1,7 @@
 #include "apps/commands/sweep_options.h"
 
 #include <algorithm>
-#include <thread>
 
-#include "apps/memory_limit.h"
 #include "apps/quantities.h"
 #include "brdf/error.h"
 #include "evaluation/sweep.h"
@@ -26,12 +24,6 @@ const Choices<BinInterpolation> interpolation_choices{{"nearest", BinInterpolati
                                                       {"linear", BinInterpolation::linear},
                                                       {"sinc", BinInterpolation::sinc},
                                                       {"exact", BinInterpolation::exact}};
-
-auto count_between(int lo, int hi) {
-  return [lo, hi](const std::string& option, const std::string& text) {
-    return parse_count(option, text, lo, hi);
-  };
-}
 
 /// What the sources' evaluator does; what is given beside it stays as given.
 void fill_in_thesis(SweepOptions& options) {
@@ -103,6 +95,7 @@ void require_geometric(const SweepOptions& options) {
 }  // namespace
 
 void SweepOptions::resolve() {
+  settings.threads = run.threads;
   if (json && output.empty() && !explain)
     throw brdf::Error(brdf::Errc::invalid_argument,
                       "--json needs -o: both would go to standard output");
@@ -184,20 +177,13 @@ void add_run(CLI::App* sweep, SweepOptions& options) {
   add_output(sweep, options.output,
              "CSV file, with its sidecar FILE.json (default: CSV to standard output)");
   add_choice(sweep, "--layout", options.layout, layout_choices, "of the CSV (default matrix)");
-  add_parsed(sweep, "--threads", options.settings.threads, count_between(1, 1024),
-             "threads (default: all); the result does not depend on them", "N");
-  add_memory_limit(sweep, options.memory_limit);
-  add_parsed(sweep, "--time-limit", options.time_limit, parse_duration, "give up after this",
-             "TIME");
-  sweep->add_flag("--strict", options.strict,
-                  "fail with 5 where accuracy or sampling cannot be attained, instead of warning");
+  options.run.add_to(sweep);
   sweep->add_flag("--json", options.json, "print the sidecar, or with --explain the plan, as JSON");
 }
 
 }  // namespace
 
 void SweepOptions::add_to(CLI::App* sweep) {
-  settings.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   heights.add_to(sweep);
   tables.add_to(sweep);
   add_scene(sweep, *this);

@@ -2,16 +2,15 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <optional>
 #include <string>
 
 #include "apps/commands/geometric_options.h"
 #include "apps/commands/illuminated_options.h"
 #include "apps/commands/optics_options.h"
+#include "apps/commands/run_options.h"
 #include "apps/commands/selection_options.h"
 #include "apps/commands/tables_options.h"
-#include "apps/console.h"
 #include "apps/options.h"
 #include "brdf/surface.h"
 #include "evaluation/methods.h"
@@ -45,10 +44,9 @@ struct SweepOptions {
   evaluation::CsvLayout layout = evaluation::CsvLayout::matrix;
   Preset preset = Preset::physical;
   std::optional<int> audit;
-  std::optional<std::size_t> memory_limit;
-  std::optional<std::chrono::duration<double>> time_limit;
+  RunOptions run;
   std::string output;
-  bool strict = false, json = false, explain = false;
+  bool json = false, explain = false;
 
   void add_to(CLI::App* sweep);
   /// Fills in what a preset and the options together leave open, and refuses combinations that
@@ -57,9 +55,6 @@ struct SweepOptions {
   /// Whether the method is one without diffraction.
   bool is_geometric() const { return GeometricOptions::has(*method); }
 
-  Attainability attainability() const {
-    return strict ? Attainability::refuse : Attainability::warn;
-  }
   evaluation::SweepRequest request() const;
   /// Refers to the field.
   brdf::Surface surface(const brdf::HeightField& field) const;
