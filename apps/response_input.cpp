@@ -19,17 +19,10 @@ using evaluation::Refinement;
 const Choices<Refinement> refinement_choices{{"grid", Refinement::grid},
                                              {"parabola", Refinement::parabola}};
 
-/// A number at a JSON pointer of a sidecar; empty where it is missing or no number.
-std::optional<double> number(const Json& sidecar, const std::string& pointer) {
-  const Json::json_pointer at(pointer);
-  if (!sidecar.contains(at) || !sidecar[at].is_number()) return std::nullopt;
-  return sidecar[at].get<double>();
-}
-
 std::optional<Angle> angle(const std::optional<Angle>& option, const Json& sidecar,
                            const std::string& key) {
   if (option) return option;
-  if (const auto value = number(sidecar, "/parameters/" + key)) return Angle::deg(*value);
+  if (const auto value = sidecar_number(sidecar, "/parameters/" + key)) return Angle::deg(*value);
   return std::nullopt;
 }
 
@@ -41,13 +34,19 @@ double response_floor(const Json& sidecar) {
   constexpr double telling_bound = 1e-2;
   const std::string quantity = sidecar_text(sidecar, "/parameters/quantity", "");
   if (quantity == "brdf" || quantity == "radiance") return 0;
-  double error = number(sidecar, "/error/amplitude_bound").value_or(0);
-  const auto found = number(sidecar, "/error/audit/worst_error");
+  double error = sidecar_number(sidecar, "/error/amplitude_bound").value_or(0);
+  const auto found = sidecar_number(sidecar, "/error/audit/worst_error");
   if (error > telling_bound && found) error = std::min(error, *found);
   return error * error;
 }
 
 }  // namespace
+
+std::optional<double> sidecar_number(const Json& sidecar, const std::string& pointer) {
+  const Json::json_pointer at(pointer);
+  if (!sidecar.contains(at) || !sidecar[at].is_number()) return std::nullopt;
+  return sidecar[at].get<double>();
+}
 
 std::string sidecar_text(const Json& sidecar, const std::string& pointer,
                          const std::string& otherwise) {
@@ -123,7 +122,7 @@ ResponseInput ResponseOptions::read() const {
   const Angle viewer = angle(phi_r, sidecar, "phi_r_deg").value_or(light);
   input.plane = evaluation::plane_of_incidence(*incidence, light, viewer);
   const std::optional<double> sigma_um =
-      sigma ? std::optional(sigma->um()) : number(sidecar, "/parameters/sigma_um");
+      sigma ? std::optional(sigma->um()) : sidecar_number(sidecar, "/parameters/sigma_um");
   if (sigma_um)
     input.plane.sigma_f_per_um = brdf::GaussianWindow(Length::um(*sigma_um)).sigma_f_per_um();
   input.search.floor = response_floor(sidecar);

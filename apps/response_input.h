@@ -36,6 +36,9 @@ struct ResponseInput {
   evaluation::Json parameters() const;
 };
 
+/// A number of a sidecar by its JSON pointer; empty where it is missing or no number.
+std::optional<double> sidecar_number(const evaluation::Json& sidecar, const std::string& pointer);
+
 /// A text of a sidecar by its JSON pointer; `otherwise` where it is missing or no text.
 std::string sidecar_text(const evaluation::Json& sidecar, const std::string& pointer,
                          const std::string& otherwise);

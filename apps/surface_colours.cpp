@@ -30,26 +30,14 @@ constexpr int default_audit = 32;
   throw Error(Errc::invalid_argument, what);
 }
 
-std::vector<Eigen::Vector3d> scattering_of(std::span<const DirectionPair> pairs) {
-  std::vector<Eigen::Vector3d> scattering;
-  scattering.reserve(pairs.size());
-  for (const DirectionPair& pair : pairs)
-    scattering.push_back(brdf::scattering_vector(pair.omega_i, pair.omega_r));
-  return scattering;
-}
-
-brdf::Query query_at(const Eigen::Vector3d& s, double k_per_um) {
-  return {k_per_um * s.x(), k_per_um * s.y(), k_per_um * s.z()};
-}
-
 /// The box of all queries: they are straight lines in k.
 brdf::QueryBounds bounds_of(std::span<const Eigen::Vector3d> scattering,
                             const brdf::SpectralBand& band, double tolerance) {
   std::vector<brdf::Query> ends;
   ends.reserve(2 * scattering.size());
   for (const Eigen::Vector3d& s : scattering) {
-    ends.push_back(query_at(s, band.k_lo_per_um()));
-    ends.push_back(query_at(s, band.k_hi_per_um()));
+    ends.push_back(brdf::query(s, band.k_lo_per_um()));
+    ends.push_back(brdf::query(s, band.k_hi_per_um()));
   }
   brdf::QueryBounds bounds = brdf::bounds_of(ends, tolerance);
   // A little wider: nodes at the ends of the band are rounded.
@@ -71,6 +59,11 @@ std::string SurfaceColours::summary() const {
   return fmt::format("{} colours in {:.3g} s", xyz.size(), seconds);
 }
 
+brdf::SpectralBand SurfaceColourOptions::band() const {
+  if (!lambda_nm_) return {};
+  return {Length::nm(lambda_nm_->front()), Length::nm(lambda_nm_->back())};
+}
+
 std::vector<Length> SurfaceColourOptions::wavelengths() const {
   std::vector<Length> wavelengths;
   if (lambda_nm_)
@@ -83,33 +76,32 @@ std::vector<Length> SurfaceColourOptions::wavelengths() const {
 evaluation::SpectralIntegral SurfaceColourOptions::integral(
     const brdf::Surface& surface, std::span<const Eigen::Vector3d> scattering) const {
   if (lambda_nm_) return brdf::StepIntegral(wavelengths());
-  const brdf::SpectralBand band;
-  if (selection_.orders_only) return brdf::BandIntegral(band, selection_.bands(surface, {}));
+  if (selection_.orders_only) return brdf::BandIntegral(band(), selection_.bands(surface, {}));
   const brdf::InterferenceReach reach = interference_reach(surface, colour_tolerance());
   double farthest_rad = 0;
   for (const Eigen::Vector3d& s : scattering)
-    farthest_rad = std::max(farthest_rad, reach.phase_rad(s, band));
-  return brdf::AdaptiveIntegral(band, reach, colour_tolerance(), farthest_rad);
+    farthest_rad = std::max(farthest_rad, reach.phase_rad(s, band()));
+  return brdf::AdaptiveIntegral(band(), reach, colour_tolerance(), farthest_rad);
 }
 
 Json SurfaceColourOptions::integral_json(const brdf::Surface& surface) const {
   if (lambda_nm_) return {{"by", "trapezoid"}, {"lambda_nm", axis_json(*lambda_nm_)}};
-  const brdf::SpectralBand band;
   Json json{{"by", selection_.orders_only ? "bands of the orders" : "adaptive"},
-            {"first_nm", band.first.nm()},
-            {"last_nm", band.last.nm()}};
-  if (!selection_.orders_only) json["tolerance"] = colour_tolerance();
-  if (selection_.orders_only) json["bands"] = selection_.bands_json(surface, {});
+            {"first_nm", band().first.nm()},
+            {"last_nm", band().last.nm()}};
+  if (selection_.orders_only)
+    json["bands"] = selection_.bands_json(surface, {});
+  else
+    json["tolerance"] = colour_tolerance();
   return json;
 }
 
 void SurfaceColourOptions::check_sampling(std::span<const Eigen::Vector3d> scattering,
                                           const brdf::HeightField& field) const {
-  const Length shortest = lambda_nm_ ? Length::nm(lambda_nm_->front()) : brdf::SpectralBand().first;
+  const Length shortest = band().first;
   const double k = brdf::wavenumber_per_um(shortest);
   const bool beyond = std::any_of(scattering.begin(), scattering.end(), [&](const auto& s) {
-    return k * std::abs(s.x()) * field.dx_um() > brdf::pi ||
-           k * std::abs(s.y()) * field.dy_um() > brdf::pi;
+    return evaluation::is_beyond_nyquist(brdf::query(s, k), field);
   });
   if (!beyond) return;
   report_unattained(
@@ -121,61 +113,56 @@ void SurfaceColourOptions::check_sampling(std::span<const Eigen::Vector3d> scatt
       run_.attainability());
 }
 
-std::unique_ptr<PatchColours> SurfaceColourOptions::patch(
-    std::span<const Eigen::Vector3d> scattering, std::size_t count) const {
-  require_consistent();
-  auto patch = std::make_unique<PatchColours>(heights_.read());
-  const brdf::HeightField& field = patch->input.field;
-  const evaluation::Method& method = evaluation::method_named(method_);
+std::unique_ptr<PatchColours> SurfaceColourOptions::read_patch() const {
   IlluminatedOptions illuminated = illuminated_;
-  illuminated.resolve(method);
-  patch->surface = illuminated.surface(field, brdf::Origin::patch_centre);
+  illuminated.resolve(evaluation::method_named(method_));
+  return std::make_unique<PatchColours>(heights_.read(), illuminated);
+}
+
+void SurfaceColourOptions::prepare(PatchColours& patch, std::span<const Eigen::Vector3d> scattering,
+                                   std::size_t count) const {
+  const brdf::HeightField& field = patch.input.field;
   check_sampling(scattering, field);
   if (lambda_nm_) warn_of_coverage(evaluation::coverage_of(*lambda_nm_), file());
 
   evaluation::SpectralIntegral spectrum =
-      brdf::at_place(file(), [&] { return integral(*patch->surface, scattering); });
-  const brdf::SpectralBand band = lambda_nm_ ? brdf::SpectralBand{Length::nm(lambda_nm_->front()),
-                                                                  Length::nm(lambda_nm_->back())}
-                                             : brdf::SpectralBand{};
-  brdf::QueryBounds bounds = bounds_of(scattering, band, tolerance());
+      brdf::at_place(file(), [&] { return integral(patch.surface, scattering); });
+  brdf::QueryBounds bounds = bounds_of(scattering, band(), tolerance());
   bounds.count = count * evaluation::largest_count(spectrum);
+  const evaluation::Method& method = evaluation::method_named(method_);
   evaluation::MethodSettings settings;
   settings.threads = run_.threads;
   require_memory({file(), "the picture",
-                  method.bytes(*patch->surface, bounds, settings) +
+                  method.bytes(patch.surface, bounds, settings) +
                       count * (2 * sizeof(DirectionPair) + sizeof(brdf::Xyz)) +
                       static_cast<std::size_t>(field.heights_um().size()) * sizeof(double),
                   "a narrower window, a larger tolerance or --reduce needs less"},
                  run_.memory_limit);
-  patch->amplitude = method.plan(*patch->surface, bounds, settings);
-  patch->colours.emplace(*patch->amplitude, std::move(spectrum), quantity());
-  patch->parameters = heights_.parameters(field);
-  patch->parameters.update(illuminated_json(*patch->surface));
-  patch->parameters["method"] = method_;
-  patch->parameters["tolerance"] = tolerance();
-  patch->parameters["integral"] = integral_json(*patch->surface);
-  patch->parameters["observer"] = "CIE 1931 2 degrees";
-  patch->parameters["illuminant"] = "D65";
-  return patch;
+  patch.amplitude = method.plan(patch.surface, bounds, settings);
+  patch.colours.emplace(*patch.amplitude, std::move(spectrum), quantity());
+  patch.parameters = heights_.parameters(field);
+  patch.parameters.update(illuminated_json(patch.surface));
+  patch.parameters["method"] = method_;
+  patch.parameters["tolerance"] = tolerance();
+  patch.parameters["integral"] = integral_json(patch.surface);
+  patch.parameters["observer"] = "CIE 1931 2 degrees";
+  patch.parameters["illuminant"] = "D65";
 }
 
 Json SurfaceColourOptions::audited(const PatchColours& patch,
                                    std::span<const Eigen::Vector3d> scattering) const {
   const brdf::PlanReport report = patch.amplitude->report();
-  const brdf::SpectralBand band;
   std::vector<brdf::Query> queries;
   const int wanted = method_ == "direct" ? 0 : audit_.value_or(default_audit);
-  const double lo = lambda_nm_ ? 2e3 * brdf::pi / lambda_nm_->back() : band.k_lo_per_um(),
-               hi = lambda_nm_ ? 2e3 * brdf::pi / lambda_nm_->front() : band.k_hi_per_um();
+  const double lo = band().k_lo_per_um(), hi = band().k_hi_per_um();
   for (int i = 0; i < wanted && !scattering.empty(); ++i) {
     const auto number = static_cast<std::size_t>(i);
     const double share = (i + 0.5) / wanted;
-    queries.push_back(query_at(scattering[evaluation::evenly_spread(number, scattering.size())],
-                               lo + share * (hi - lo)));
+    queries.push_back(brdf::query(scattering[evaluation::evenly_spread(number, scattering.size())],
+                                  lo + share * (hi - lo)));
   }
   const evaluation::QueryAudit found =
-      audit(queries, *patch.surface, *patch.amplitude, run_.limits());
+      audit(queries, patch.surface, *patch.amplitude, run_.limits());
   const double worst = std::max(found.worst_error, report.error_bound);
   if (!(worst <= tolerance()))
     report_unattained(fmt::format("{}: the error of the amplitude is {:.3g}, above {:.3g}", file(),
@@ -198,17 +185,18 @@ void SurfaceColourOptions::evaluate(std::span<const DirectionPair> pairs,
 }
 
 SurfaceColours SurfaceColourOptions::diffraction(std::span<const DirectionPair> pairs) const {
-  const std::vector<Eigen::Vector3d> scattering = scattering_of(pairs);
-  const auto ready = patch(scattering, pairs.size());
+  const std::vector<Eigen::Vector3d> scattering = scattering_vectors(pairs);
+  const auto ready = read_patch();
+  prepare(*ready, scattering, pairs.size());
   const OpticsOptions optics = resolved_optics();
-  const evaluation::DiffractionColours colours(*ready->colours, optics.optics(*ready->surface));
+  const evaluation::DiffractionColours colours(*ready->colours, optics.optics(ready->surface));
   SurfaceColours result;
   evaluate(pairs, colours, result);
   result.input_sha256 = ready->input.sha256;
   result.parameters = ready->parameters;
   result.parameters.update(optics.parameters());
   result.error = audited(*ready, scattering);
-  result.mirror_radius = mirror_radius(*ready->surface);
+  result.mirror_radius = mirror_radius(ready->surface);
   return result;
 }
 
@@ -235,11 +223,10 @@ SurfaceColours SurfaceColourOptions::baked(std::span<const DirectionPair> pairs)
   const evaluation::ColourVolumeFile volume =
       evaluation::read_colour_volume(file(), memory_allowed(run_.memory_limit));
   const std::string name = evaluation::sidecar_path(file()).string();
-  const auto number = [&](const char* key) {
-    const Json::json_pointer place(std::string("/parameters/") + key);
-    if (!volume.sidecar.contains(place) || !volume.sidecar.at(place).is_number())
-      throw Error(Errc::bad_input, name + ": has no number parameters." + key);
-    return volume.sidecar.at(place).get<double>();
+  const auto number = [&](const std::string& key) {
+    const auto value = sidecar_number(volume.sidecar, "/parameters/" + key);
+    if (!value) throw Error(Errc::bad_input, name + ": has no number parameters." + key);
+    return *value;
   };
   const std::string quantity_baked =
       sidecar_text(volume.sidecar, "/parameters/quantity", "an unknown quantity");
@@ -266,18 +253,17 @@ SurfaceColours SurfaceColourOptions::baked(std::span<const DirectionPair> pairs)
   return result;
 }
 
-brdf::VolumeGrid SurfaceColourOptions::volume_grid() const {
+void SurfaceColourOptions::require_bakeable() const {
   require_consistent();
   if (is_geometric()) refuse("--method " + method_ + " knows no diffraction: nothing to bake");
   if (evaluation::is_npy(file()))
     refuse(file() + " is a volume already: bake takes a height field");
-  const evaluation::HeightFile input = heights_.read();
-  IlluminatedOptions illuminated = illuminated_;
-  illuminated.resolve(evaluation::method_named(method_));
-  const brdf::Surface surface = illuminated.surface(input.field, brdf::Origin::patch_centre);
+}
+
+brdf::VolumeGrid SurfaceColourOptions::volume_grid(const PatchColours& patch) const {
   return brdf::at_place(file(), [&] {
     return brdf::VolumeGrid(evaluation::volume_shape(
-        interference_reach(surface, colour_tolerance()), colour_tolerance()));
+        interference_reach(patch.surface, colour_tolerance()), colour_tolerance()));
   });
 }
 

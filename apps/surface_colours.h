@@ -47,23 +47,28 @@ class SurfaceColourOptions {
   /// listed block by block (evaluation/direction_colours.h).
   SurfaceColours colours(std::span<const evaluation::DirectionPair> pairs) const;
 
-  /// The patch of a height file, ready for `count` colours at scattering vectors inside the box
-  /// around those given. Refuses what has no diffraction.
-  std::unique_ptr<PatchColours> patch(std::span<const Eigen::Vector3d> scattering,
-                                      std::size_t count) const;
-  /// The grid of a volume of these heights; heights that are already one are refused.
-  brdf::VolumeGrid volume_grid() const;
+  /// Refuses what no volume can be made of: a volume, and a model without diffraction.
+  void require_bakeable() const;
+  /// The patch of a height file.
+  std::unique_ptr<PatchColours> read_patch() const;
+  /// Makes it ready for `count` colours at scattering vectors inside the box around those given.
+  void prepare(PatchColours& patch, std::span<const Eigen::Vector3d> scattering,
+               std::size_t count) const;
+  /// The grid of a volume of a patch.
+  brdf::VolumeGrid volume_grid(const PatchColours& patch) const;
   /// Amplitudes held against the direct sum; for the sidecar. Warns where they miss the tolerance.
   evaluation::Json audited(const PatchColours& patch,
                            std::span<const Eigen::Vector3d> scattering) const;
-  double tolerance() const;
-  double colour_tolerance() const;
   brdf::Quantity quantity() const;
   const RunOptions& run() const { return run_; }
 
  private:
   void require_consistent() const;
   void require_free_of_patch_options() const;
+  double tolerance() const;
+  double colour_tolerance() const;
+  /// First and last of the wavelengths.
+  brdf::SpectralBand band() const;
   bool is_geometric() const { return GeometricOptions::has(method_); }
   std::vector<brdf::Length> wavelengths() const;
   evaluation::SpectralIntegral integral(const brdf::Surface& surface,

@@ -21,10 +21,15 @@ struct Query {
   double qx_per_um, qy_per_um, c_per_um;
 };
 
-/// The query of two directions and a wavelength: k times the scattering vector (Thesis 1.12).
-inline Query query(const Direction& omega_i, const Direction& omega_r, Length wavelength) {
-  const Eigen::Vector3d q = wavenumber_per_um(wavelength) * scattering_vector(omega_i, omega_r);
+/// The query of a scattering vector: k times it.
+inline Query query(const Eigen::Vector3d& scattering, double k_per_um) {
+  const Eigen::Vector3d q = k_per_um * scattering;
   return {q.x(), q.y(), q.z()};
+}
+
+/// The query of two directions and a wavelength (Thesis 1.12).
+inline Query query(const Direction& omega_i, const Direction& omega_r, Length wavelength) {
+  return query(scattering_vector(omega_i, omega_r), wavenumber_per_um(wavelength));
 }
 
 /// A line through qx = qy = 0: the plane of incidence at this azimuth. A unit vector.

@@ -26,6 +26,25 @@ struct SpectralBand {
   double k_half_per_um() const { return (k_hi_per_um() - k_lo_per_um()) / 2; }
 };
 
+/// Int S ybar d lambda [um] of a band, by steps of about this length, both ends whole: the Y of rho
+/// = 1 before it is made 1.
+inline double luminance_um(const SpectralBand& band, double step_nm) {
+  const double length_nm = band.last.nm() - band.first.nm();
+  const int steps = static_cast<int>(std::ceil(length_nm / step_nm));
+  double sum = 0;
+  for (int i = 0; i <= steps; ++i) {
+    const Length at = Length::nm(band.first.nm() + length_nm * i / steps);
+    sum += 1e-3 * length_nm / steps * illuminant_d65(at) * colour_matching(at).y;
+  }
+  return sum;
+}
+
+/// A node of even steps in k: d lambda = lambda^2 / (2 pi) dk.
+inline SpectralNode node_of_step(Length at, double step_per_um, double luminance_um) {
+  const double measure_um = step_per_um * at.um() * at.um() / (2 * pi);
+  return {at, measure_um / luminance_um * illuminant_d65(at) * colour_matching(at)};
+}
+
 /// Quadratures of a band that are exact for spectra whose phases run through a limited range.
 ///
 /// In k a spectrum is band-limited: t from -1 to 1 along the band, it is a sum of exp(i x t) with
@@ -48,13 +67,10 @@ class BandQuadratures {
     for (int i = 0; i <= steps; ++i)
       wavelengths.push_back(Length::nm(band.first.nm() + length_nm * i / steps));
     weights_ = colour_weights(wavelengths);
+    luminance_um_ = luminance_um(band, step_nm);
     for (std::size_t i = 0; i < weights_.size(); ++i) {
       places_.push_back(std::clamp(
           (wavenumber_per_um(wavelengths[i]) - k_mid_per_um_) / k_half_per_um_, -1.0, 1.0));
-      luminance_um_ += 1e-3 * length_nm / steps * illuminant_d65(wavelengths[i]) *
-                       colour_matching(wavelengths[i]).y;
-    }
-    for (std::size_t i = 0; i < weights_.size(); ++i) {
       double current = 1, next = places_[i];
       for (Xyz& moment : moments_) {
         moment = moment + current * weights_[i];
@@ -98,12 +114,9 @@ class BandQuadratures {
   /// The trapezoid at even steps in k, in the middle of each.
   std::vector<SpectralNode> even_steps(int count) const {
     std::vector<SpectralNode> nodes;
-    for (int j = 0; j < count; ++j) {
-      const Length at = wavelength((2.0 * j + 1) / count - 1);
-      const double measure_um =
-          2 * k_half_per_um_ / count * at.um() * at.um() / (2 * pi) / luminance_um_;
-      nodes.push_back({at, measure_um * illuminant_d65(at) * colour_matching(at)});
-    }
+    for (int j = 0; j < count; ++j)
+      nodes.push_back(node_of_step(wavelength((2.0 * j + 1) / count - 1),
+                                   2 * k_half_per_um_ / count, luminance_um_));
     return nodes;
   }
 

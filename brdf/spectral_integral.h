@@ -124,13 +124,8 @@ class AdaptiveIntegral {
 /// periodic surface, the sidelobes of a cut window, and whatever a real surface sends elsewhere.
 class BandIntegral {
  public:
-  BandIntegral(const SpectralBand& band, const OrderBands& bands) : band_(band), bands_(bands) {
-    std::vector<Length> wavelengths;
-    for (double nm = std::max(band.first.nm(), table_first_nm);
-         nm <= std::min(band.last.nm(), table_last_nm); nm += 1)
-      wavelengths.push_back(Length::nm(nm));
-    for (const Length wavelength : wavelengths)
-      luminance_um_ += 1e-3 * illuminant_d65(wavelength) * colour_matching(wavelength).y;
+  BandIntegral(const SpectralBand& band, const OrderBands& bands)
+      : band_(band), bands_(bands), luminance_um_(luminance_um(band, 1)) {
     if (!(luminance_um_ > 0))
       throw Error(Errc::invalid_argument, "a colour needs wavelengths between " +
                                               text(table_first_nm) + " and " + text(table_last_nm) +
@@ -144,11 +139,8 @@ class BandIntegral {
                last = static_cast<long>(std::floor(band_.k_hi_per_um() / step_per_um));
     for (long j = first; j <= last; ++j) {
       const double k = static_cast<double>(j) * step_per_um;
-      if (!bands_.contains({k * s.x(), k * s.y(), k * s.z()})) continue;
-      const Length wavelength = Length::um(2 * pi / k);
-      const double measure_um = step_per_um * wavelength.um() * wavelength.um() / (2 * pi);
-      nodes.push_back({wavelength, measure_um / luminance_um_ * illuminant_d65(wavelength) *
-                                       colour_matching(wavelength)});
+      if (!bands_.contains(query(s, k))) continue;
+      nodes.push_back(node_of_step(Length::um(2 * pi / k), step_per_um, luminance_um_));
     }
     return nodes;
   }
@@ -166,7 +158,7 @@ class BandIntegral {
 
   SpectralBand band_;
   OrderBands bands_;
-  double luminance_um_ = 0;
+  double luminance_um_;
 };
 
 }  // namespace brdf

@@ -59,7 +59,7 @@ std::vector<float> bake(const brdf::VolumeGrid& grid, const ScatteringColours& c
   std::size_t done = 0;
   std::mutex progress_mutex;
   parallel_for(batches.size(), limits.threads, [&](std::size_t i) {
-    if (limits.time) limits.time->require_left();
+    if (limits.time && limits.time->passed()) limits.time->refuse();
     const auto [ring, first, points] = batches[i];
     std::vector<Eigen::Vector3d> scattering;
     for (std::size_t point = 0; point < points; ++point) {

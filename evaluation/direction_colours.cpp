@@ -5,12 +5,13 @@
 #include <mutex>
 
 #include "evaluation/parallel.h"
+#include "evaluation/pixel_blocks.h"
 
 namespace evaluation {
 namespace {
 
-/// A block of 16 x 16 pixels: their queries read one part of a table, and are enough to sort.
-constexpr std::size_t batch_pairs = 256;
+/// A block of pixels: their queries read one part of a table, and are enough to sort.
+constexpr std::size_t batch_pairs = block_side * block_side;
 
 void require_finite(const brdf::Xyz& colour, const DirectionPair& pair) {
   if (std::isfinite(colour.x) && std::isfinite(colour.y) && std::isfinite(colour.z)) return;
@@ -30,7 +31,7 @@ std::vector<brdf::Xyz> colours_of(std::span<const DirectionPair> pairs,
   std::size_t done = 0;
   std::mutex progress_mutex;
   parallel_for(batches, limits.threads, [&](std::size_t batch) {
-    if (limits.time) limits.time->require_left();
+    if (limits.time && limits.time->passed()) limits.time->refuse();
     const std::size_t first = batch * batch_pairs,
                       count = std::min(batch_pairs, pairs.size() - first);
     const auto some = pairs.subspan(first, count);

@@ -1,8 +1,9 @@
 #include "evaluation/hemisphere.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
+
+#include "evaluation/pixel_blocks.h"
 
 namespace evaluation {
 
@@ -10,12 +11,9 @@ Hemisphere::Hemisphere(int size) : size_(size) {
   if (size < 2)
     throw brdf::Error(brdf::Errc::invalid_argument,
                       "a map of " + std::to_string(size) + " pixels a side: must be >= 2");
-  constexpr int block = 16;
-  for (int row0 = 0; row0 < size; row0 += block)
-    for (int column0 = 0; column0 < size; column0 += block)
-      for (int row = row0; row < std::min(row0 + block, size); ++row)
-        for (int column = column0; column < std::min(column0 + block, size); ++column)
-          if (direction(column, row)) pixels_.push_back({column, row});
+  in_blocks(size, size, [&](int column, int row) {
+    if (direction(column, row)) pixels_.push_back({column, row});
+  });
 }
 
 std::optional<brdf::Direction> Hemisphere::direction(int column, int row) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "brdf/directions.h"
 
@@ -12,6 +13,9 @@ namespace evaluation {
 struct DirectionPair {
   brdf::Direction omega_i, omega_r;
 };
+
+/// (u, v, w) of each pair.
+std::vector<Eigen::Vector3d> scattering_vectors(std::span<const DirectionPair> pairs);
 
 /// One value that is asked for.
 struct Sample {

@@ -1,7 +1,5 @@
 #include "evaluation/scattering_colours.h"
 
-#include <vector>
-
 namespace evaluation {
 namespace {
 
@@ -47,10 +45,7 @@ DiffractionColours::DiffractionColours(const ScatteringColours& colours, const O
 
 void DiffractionColours::evaluate(std::span<const DirectionPair> pairs,
                                   std::span<brdf::Xyz> colours) const {
-  std::vector<Eigen::Vector3d> scattering;
-  for (const DirectionPair& pair : pairs)
-    scattering.push_back(brdf::scattering_vector(pair.omega_i, pair.omega_r));
-  colours_.evaluate(scattering, colours);
+  colours_.evaluate(scattering_vectors(pairs), colours);
   for (std::size_t j = 0; j < pairs.size(); ++j)
     colours[j] = scale_ * gain(optics_, pairs[j].omega_i, pairs[j].omega_r, reference) * colours[j];
 }

@@ -42,10 +42,8 @@ void SpectralPower::evaluate(std::span<const Eigen::Vector3d> scattering,
   const auto power = [&](const auto& places, std::vector<double>& values) {
     std::vector<brdf::Query> queries;
     queries.reserve(places.size());
-    for (const auto& [i, wavelength] : places) {
-      const Eigen::Vector3d q = brdf::wavenumber_per_um(wavelength) * scattering[i];
-      queries.push_back({q.x(), q.y(), q.z()});
-    }
+    for (const auto& [i, wavelength] : places)
+      queries.push_back(brdf::query(scattering[i], brdf::wavenumber_per_um(wavelength)));
     std::vector<std::complex<double>> amplitudes(queries.size());
     amplitude_.evaluate(queries, amplitudes);
     for (std::size_t j = 0; j < values.size(); ++j)
@@ -56,15 +54,12 @@ void SpectralPower::evaluate(std::span<const Eigen::Vector3d> scattering,
 
 void SpectralColours::evaluate(std::span<const DirectionPair> pairs,
                                std::span<brdf::Xyz> colours) const {
-  std::vector<Eigen::Vector3d> scattering;
-  for (const DirectionPair& pair : pairs)
-    scattering.push_back(brdf::scattering_vector(pair.omega_i, pair.omega_r));
   const auto values_of = [&](const auto& places, std::vector<double>& values) {
     std::vector<Sample> samples;
     for (const auto& [i, wavelength] : places) samples.push_back({pairs[i], wavelength});
     reflectance_.evaluate(samples, values);
   };
-  integrate(integral_, scattering, values_of, colours);
+  integrate(integral_, scattering_vectors(pairs), values_of, colours);
   for (brdf::Xyz& colour : colours) colour = scale_ * colour;
 }
 

@@ -23,8 +23,7 @@ void require_finite(double value, double lambda_nm, double theta_r_deg) {
 
 }  // namespace
 
-void TimeLimit::require_left(const std::string& where) const {
-  if (std::chrono::steady_clock::now() - start <= length) return;
+void TimeLimit::refuse(const std::string& where) const {
   throw brdf::Error(brdf::Errc::over_limit, "the time limit of " + number_text(length.count()) +
                                                 " s (--time-limit) was reached" + where +
                                                 "; nothing was written");
@@ -44,8 +43,8 @@ ResponseMatrix sweep(const SweepRequest& request, const Reflectance& reflectance
   parallel_for(rows, limits.threads, [&](std::size_t row) {
     std::span<const std::size_t> columns = cells.columns_of_row(row);
     while (!columns.empty()) {
-      if (limits.time)
-        limits.time->require_left(" at wavelength " + number_text(request.lambda_nm[row]) + " nm");
+      if (limits.time && limits.time->passed())
+        limits.time->refuse(" at wavelength " + number_text(request.lambda_nm[row]) + " nm");
       const auto batch = columns.first(std::min(batch_cells, columns.size()));
       std::vector<Sample> samples;
       for (const std::size_t column : batch)

@@ -18,8 +18,9 @@ struct TimeLimit {
   std::chrono::steady_clock::time_point start;
   std::chrono::duration<double> length;
 
-  /// Throws Errc::over_limit once it has passed. where: " at ...", or nothing.
-  void require_left(const std::string& where = {}) const;
+  bool passed() const { return std::chrono::steady_clock::now() - start > length; }
+  /// Throws Errc::over_limit. where: " at ...", or nothing.
+  [[noreturn]] void refuse(const std::string& where = {}) const;
 };
 
 /// What a run may use.

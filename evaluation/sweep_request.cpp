@@ -84,8 +84,7 @@ std::optional<NyquistExcess> nyquist_excess(const SweepRequest& request,
   bool exceeded = false;
   const std::vector<brdf::Query> queries = queries_of_row(request, 0);
   for (std::size_t j = 0; j < queries.size(); ++j) {
-    if (std::abs(queries[j].qx_per_um) * field.dx_um() > brdf::pi ||
-        std::abs(queries[j].qy_per_um) * field.dy_um() > brdf::pi) {
+    if (is_beyond_nyquist(queries[j], field)) {
       exceeded = true;
       continue;
     }

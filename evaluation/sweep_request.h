@@ -1,6 +1,7 @@
 // What a sweep asks for: the geometry, the wavelengths and their queries.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -49,6 +50,12 @@ std::vector<brdf::Query> queries_of_row(const SweepRequest& request, std::size_t
 
 /// The box that all queries of the request lie in.
 brdf::QueryBounds bounds_of(const SweepRequest& request, double tolerance);
+
+/// Whether a query lies beyond the Nyquist limit abs(k u) <= pi / pixel of a height field.
+inline bool is_beyond_nyquist(const brdf::Query& query, const brdf::HeightField& field) {
+  return std::abs(query.qx_per_um) * field.dx_um() > brdf::pi ||
+         std::abs(query.qy_per_um) * field.dy_um() > brdf::pi;
+}
 
 /// Frequencies of a request beyond the Nyquist limit abs(k u) <= pi / pixel of a height field.
 struct NyquistExcess {

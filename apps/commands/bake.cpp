@@ -93,29 +93,29 @@ VolumeError volume_error(const evaluation::ScatteringColours& spectra,
 void run(const BakeOptions& options) {
   require_other_file(options.output, options.surface.file());
   evaluation::OutputWithSidecar output(options.output);
-  const brdf::VolumeGrid grid = options.surface.volume_grid();
+  options.surface.require_bakeable();
+  const auto patch = options.surface.read_patch();
+  const brdf::VolumeGrid grid = options.surface.volume_grid(*patch);
   require_memory({options.surface.file(), "the volume", grid.size() * sizeof(float),
                   "a narrower window (--sigma) or a larger --colour-tolerance needs less"},
                  options.surface.run().memory_limit);
   const std::string header = evaluation::colour_volume_header(grid);
   evaluation::require_room(options.output, header.size() + grid.size() * sizeof(float));
-  const auto patch =
-      options.surface.patch(evaluation::volume_corners(grid),
-                            grid.points() * static_cast<std::size_t>(grid.shape().terms));
+  options.surface.prepare(*patch, evaluation::volume_corners(grid),
+                          grid.points() * static_cast<std::size_t>(grid.shape().terms));
   const auto began = std::chrono::steady_clock::now();
   const std::vector<float> numbers = brdf::at_place(options.surface.file(), [&] {
     return bake(grid, *patch->colours, options.surface.run().limits(), progress_line("bake"));
   });
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
 
-  const brdf::Surface& surface = *patch->surface;
-  const double mirror = mirror_radius(surface);
+  const double mirror = mirror_radius(patch->surface);
   const VolumeError error = volume_error(
       *patch->colours, evaluation::BakedColours(brdf::ColourVolume(grid, numbers)), mirror / 4);
   Json sidecar = sidecar_head("bake", options.surface.file(), patch->input.sha256);
   sidecar["parameters"] = patch->parameters;
   sidecar["parameters"]["quantity"] = name_in(quantity_choices, options.surface.quantity());
-  sidecar["parameters"]["coherence_area_um2"] = coherence_area_um2(surface);
+  sidecar["parameters"]["coherence_area_um2"] = coherence_area_um2(patch->surface);
   sidecar["parameters"]["mirror_radius_sine"] = mirror;
   sidecar["volume"] = evaluation::volume_json(grid.shape());
   sidecar["error"] = options.surface.audited(*patch, spread_scattering(audited_directions));

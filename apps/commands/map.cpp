@@ -16,6 +16,7 @@
 #include "apps/surface_colours.h"
 #include "evaluation/hemisphere.h"
 #include "evaluation/npy.h"
+#include "evaluation/rgb_image.h"
 
 namespace apps {
 namespace {
@@ -78,10 +79,6 @@ std::vector<double> linear_xyz(const MapOptions& options, const evaluation::Hemi
   return values;
 }
 
-std::uint8_t code(double value) {
-  return static_cast<std::uint8_t>(std::lround(255 * value));
-}
-
 /// The picture of one light, from its colours as they are shown.
 MapPanel panel(const MapOptions& options, const evaluation::Hemisphere& hemisphere, Angle theta_i,
                std::span<const brdf::Rgb> rgb) {
@@ -90,9 +87,7 @@ MapPanel panel(const MapOptions& options, const evaluation::Hemisphere& hemisphe
   panel.rgba.assign(side * side * 4, 0);  // transparent outside the disk
   for (std::size_t i = 0; i < rgb.size(); ++i) {
     std::uint8_t* at = &panel.rgba[hemisphere.pixels()[i].index(hemisphere.size()) * 4];
-    at[0] = code(rgb[i].r);
-    at[1] = code(rgb[i].g);
-    at[2] = code(rgb[i].b);
+    std::ranges::copy(evaluation::to_code(rgb[i]), at);
     at[3] = 255;
   }
   return panel;

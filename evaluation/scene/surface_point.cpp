@@ -1,13 +1,13 @@
 #include "evaluation/scene/surface_point.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
+
+#include "evaluation/pixel_blocks.h"
 
 namespace evaluation {
 namespace {
 
-constexpr int block = 16;
 /// A tangent this near the normal has no direction in the tangent plane but that of its rounding.
 constexpr double smallest_sine = 1e-9;
 
@@ -28,11 +28,7 @@ std::optional<PatchFrame> patch_frame(const SurfacePoint& point, brdf::Angle ori
 std::vector<std::size_t> block_order(const SurfaceGrid& grid) {
   std::vector<std::size_t> order;
   order.reserve(grid.points.size());
-  for (int top = 0; top < grid.rows; top += block)
-    for (int left = 0; left < grid.cols; left += block)
-      for (int row = top; row < std::min(top + block, grid.rows); ++row)
-        for (int col = left; col < std::min(left + block, grid.cols); ++col)
-          order.push_back(grid.index(col, row));
+  in_blocks(grid.cols, grid.rows, [&](int col, int row) { order.push_back(grid.index(col, row)); });
   return order;
 }
 
