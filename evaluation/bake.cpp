@@ -1,5 +1,6 @@
 #include "evaluation/bake.h"
 
+#include <algorithm>
 #include <cmath>
 #include <mutex>
 
@@ -85,6 +86,52 @@ std::vector<float> bake(const brdf::VolumeGrid& grid, const ScatteringColours& c
     }
   });
   return numbers;
+}
+
+std::vector<Eigen::Vector3d> spread_scattering(int count) {
+  // Golden-ratio sequences of four dimensions: the root of x^5 = x + 1 gives the steps
+  // (Roberts 2018).
+  constexpr double root = 1.1673039782614187;
+  std::vector<Eigen::Vector3d> scattering;
+  for (int i = 1; i <= count; ++i) {
+    double place[4];
+    for (int d = 0; d < 4; ++d) {
+      const double turns = i / std::pow(root, d + 1);
+      place[d] = turns - std::floor(turns);
+    }
+    // Even over the hemispheres' projections.
+    const auto direction = [](double radius_squared, double turn) {
+      return brdf::direction(brdf::Angle::rad(std::asin(0.999 * std::sqrt(radius_squared))),
+                             brdf::Angle::rad(2 * brdf::pi * turn));
+    };
+    scattering.push_back(
+        brdf::scattering_vector(direction(place[0], place[1]), direction(place[2], place[3])));
+  }
+  return scattering;
+}
+
+VolumeError volume_error(const brdf::ColourVolume& volume,
+                         std::span<const Eigen::Vector3d> scattering,
+                         std::span<const brdf::Xyz> exact, const LocalBrightness& brightness) {
+  VolumeError error;
+  constexpr int around = 9;
+  for (std::size_t i = 0; i < scattering.size(); ++i) {
+    const Eigen::Vector3d& s = scattering[i];
+    double mean = 0;
+    for (int j = 0; j < around; ++j) {
+      const double turn =
+          (j - around / 2) * brightness.lobe / std::max(brightness.lobe, std::hypot(s.x(), s.y()));
+      const double cosine = std::cos(turn), sine = std::sin(turn);
+      mean +=
+          volume(s.x() * cosine - s.y() * sine, s.x() * sine + s.y() * cosine, s.z()).y / around;
+    }
+    const double part =
+        std::abs(volume(s.x(), s.y(), s.z()).y - exact[i].y) / std::max(mean, brightness.darkest);
+    error.rms += part * part / static_cast<double>(scattering.size());
+    error.worst = std::max(error.worst, part);
+  }
+  error.rms = std::sqrt(error.rms);
+  return error;
 }
 
 }  // namespace evaluation

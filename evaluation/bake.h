@@ -26,6 +26,27 @@ std::vector<Eigen::Vector3d> volume_corners(const brdf::VolumeGrid& grid);
 std::vector<float> bake(const brdf::VolumeGrid& grid, const ScatteringColours& colours,
                         const RunLimits& limits, const Progress& progress = {});
 
+/// Scattering vectors of light and viewer from directions spread evenly over both hemispheres, the
+/// same in every run.
+std::vector<Eigen::Vector3d> spread_scattering(int count);
+
+/// What the errors of a volume are held against: the luminance about a place, its mean over nine
+/// places of its ring, one lobe apart, but at least `darkest`.
+struct LocalBrightness {
+  double lobe;  ///< distance in (u, v)
+  double darkest;
+};
+
+/// Errors of the luminance as parts of the local brightness.
+struct VolumeError {
+  double rms = 0, worst = 0;
+};
+
+/// exact: the colours at the scattering vectors.
+VolumeError volume_error(const brdf::ColourVolume& volume,
+                         std::span<const Eigen::Vector3d> scattering,
+                         std::span<const brdf::Xyz> exact, const LocalBrightness& brightness);
+
 /// V from a volume. Refers to its numbers.
 class BakedColours final : public ScatteringColours {
  public:
