@@ -1,5 +1,7 @@
 #include "evaluation/colour_volume_file.h"
 
+#include <cmath>
+
 #include "evaluation/npy.h"
 
 namespace evaluation {
@@ -12,17 +14,30 @@ NpyShape npy_shape(const brdf::VolumeGrid& grid) {
   return {NpyType::single, {grid.points(), static_cast<std::size_t>(grid.shape().terms), 3}};
 }
 
-brdf::VolumeShape shape_of(const Json& sidecar, const std::string& name) {
+brdf::VolumeShape shape_of(const Json& sidecar) {
   const auto number = [&](const char* key) {
     const Json::json_pointer place(std::string("/volume/") + key);
     if (!sidecar.contains(place) || !sidecar.at(place).is_number())
-      throw Error(Errc::bad_input, name + ": has no number volume." + key +
+      throw Error(Errc::bad_input, std::string("has no number volume.") + key +
                                        ": it is not the sidecar of a volume made by bake");
     return sidecar.at(place).get<double>();
   };
   const double terms = number("terms");
+  // Before it is an int: anything may stand there.
+  if (!(terms >= 1 && terms <= 256 && terms == std::floor(terms)))
+    throw Error(Errc::bad_input,
+                "volume: terms " + brdf::text(terms) + " must be a whole number from 1 to 256");
   return {number("centre_step"), number("relative_step"), number("angles_per_r"),
-          terms >= 1 && terms <= 256 ? static_cast<int>(terms) : 0};
+          static_cast<int>(terms)};
+}
+
+/// What no grid has is the fault of the file here, not of an argument.
+brdf::VolumeGrid grid_of(const Json& sidecar, const std::string& name) {
+  try {
+    return brdf::VolumeGrid(shape_of(sidecar));
+  } catch (const Error& error) {
+    throw Error(Errc::bad_input, name + ": " + error.what());
+  }
 }
 
 }  // namespace
@@ -43,8 +58,7 @@ ColourVolumeFile read_colour_volume(const std::filesystem::path& path, std::size
   if (sidecar.is_null())
     throw Error(Errc::bad_input,
                 sidecar_name + ": no such file, and without it nothing says what the volume is of");
-  brdf::VolumeGrid grid =
-      brdf::at_place(sidecar_name, [&] { return brdf::VolumeGrid(shape_of(sidecar, "volume")); });
+  brdf::VolumeGrid grid = grid_of(sidecar, sidecar_name);
   const NpyShape expected = npy_shape(grid);
   if (reader.shape().type != expected.type || reader.shape().extents != expected.extents)
     throw Error(Errc::bad_input, path.string() + ": its shape is not that of its sidecar, " +
