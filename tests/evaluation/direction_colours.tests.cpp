@@ -3,16 +3,13 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
-#include <set>
 
-#include "evaluation/hemisphere.h"
 #include "tests/support/is_error.h"
 
 namespace {
 
 using brdf::Xyz;
 using evaluation::DirectionPair;
-using evaluation::Hemisphere;
 
 struct Smooth final : evaluation::DirectionColours {
   double at_x_of_one = 1;
@@ -41,9 +38,18 @@ TEST_CASE("colours have the same bits for any number of threads", "[direction_co
     evaluation::RunLimits limits;
     limits.threads = threads;
     double progress = 0;
-    CHECK(expected == colours_of(pairs, Smooth{}, limits, [&](double part) { progress = part; }));
+    bool ascends = true;
+    CHECK(expected == colours_of(pairs, Smooth{}, limits, [&](double part) {
+            ascends = ascends && part > progress;
+            progress = part;
+          }));
+    CHECK(ascends);
     CHECK(progress == 1);
   }
+}
+
+TEST_CASE("no pairs have no colours", "[direction_colours]") {
+  CHECK(colours_of({}, Smooth{}, {}).empty());
 }
 
 TEST_CASE("a colour that is no number, or comes too late, is refused", "[direction_colours]") {
@@ -58,35 +64,4 @@ TEST_CASE("a colour that is no number, or comes too late, is refused", "[directi
   late.time = {std::chrono::steady_clock::now() - std::chrono::hours(1),
                std::chrono::duration<double>(1)};
   CHECK_ERROR(colours_of(pairs, Smooth{}, late, {}), brdf::Errc::over_limit, "--time-limit");
-}
-
-TEST_CASE("a hemisphere lists each pixel of its disk once, block by block", "[hemisphere]") {
-  for (const int size : {2, 17, 64}) {
-    const Hemisphere hemisphere(size);
-    std::set<std::size_t> seen;
-    for (const auto& pixel : hemisphere.pixels()) {
-      CHECK(seen.insert(pixel.index(size)).second);
-      CHECK(hemisphere.direction(pixel.column, pixel.row)->norm() == Approx(1).epsilon(1e-15));
-    }
-    std::size_t inside = 0;
-    for (int row = 0; row < size; ++row)
-      for (int column = 0; column < size; ++column)
-        inside += hemisphere.direction(column, row).has_value();
-    CHECK(seen.size() == inside);
-  }
-  // The disk fills pi / 4 of the square, but for pixels at its edge.
-  CHECK(std::abs(static_cast<double>(Hemisphere(200).pixels().size()) / 40000 - brdf::pi / 4) <=
-        2e-3);
-  const Hemisphere blocks(64);
-  const auto& first = blocks.pixels();
-  for (std::size_t i = 1; i < 100; ++i)
-    CHECK(std::abs(first[i].column - first[i - 1].column) <= 16);
-  CHECK_ERROR(Hemisphere(1), brdf::Errc::invalid_argument, "1 pixels");
-}
-
-TEST_CASE("the middle of a pixel is its direction", "[hemisphere]") {
-  const Hemisphere hemisphere(4);
-  CHECK(*hemisphere.direction(2, 1) == brdf::Direction(0.25, -0.25, std::sqrt(0.875)));
-  CHECK_FALSE(hemisphere.direction(0, 0));
-  CHECK(hemisphere.direction(1, 3)->y() == 0.75);
 }

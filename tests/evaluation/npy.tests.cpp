@@ -60,6 +60,7 @@ TEST_CASE("the header is the one that NumPy writes", "[npy][golden]") {
                                std::string(58, ' ') + "\n";
   CHECK(evaluation::npy_header({NpyType::real, {2, 3}}) == expected);
   CHECK(evaluation::npy_header({NpyType::complex_value, {7}}).find("'<c16'") != std::string::npos);
+  CHECK(evaluation::npy_header({NpyType::single, {7}}).find("'<f4'") != std::string::npos);
   CHECK(evaluation::npy_header({NpyType::real, {7}}).find("(7, )") != std::string::npos);
 }
 
@@ -75,6 +76,47 @@ TEST_CASE("what is written reads back the same, with the hash of the file", "[np
   REQUIRE(read.numbers.size() == 12);
   CHECK(std::memcmp(read.numbers.data(), numbers.data(), 12 * sizeof(double)) == 0);
   CHECK(read.sha256 == evaluation::sha256_hex(bytes));
+}
+
+TEST_CASE("numbers of 4 bytes are read as they are, from any place, and as nothing else",
+          "[npy][invariant]") {
+  using Limits = std::numeric_limits<float>;
+  const std::vector<float> numbers{
+      1, -0.0f, 0.1f, Limits::max(), Limits::denorm_min(), 1e-3f, Limits::lowest()};
+  const std::string bytes =
+      evaluation::npy_header({NpyType::single, {7}}) + std::string(evaluation::npy_bytes(numbers));
+  const TemporaryFile file(bytes);
+  const evaluation::NpyReader reader(file.path());
+  CHECK(reader.shape().type == NpyType::single);
+  CHECK(reader.shape().extents == std::vector<std::size_t>{7});
+  REQUIRE(reader.size() == 7);
+  CHECK(reader.sha256() == evaluation::sha256_hex(bytes));
+  std::vector<float> all(7), some(3);
+  reader.read(0, std::span(all));
+  CHECK(std::memcmp(all.data(), numbers.data(), 7 * sizeof(float)) == 0);
+  reader.read(4, std::span(some));
+  CHECK(std::memcmp(some.data(), numbers.data() + 4, 3 * sizeof(float)) == 0);
+  std::vector<double> doubles(3);
+  CHECK_ERROR(reader.read(0, std::span(doubles)), Errc::bad_input, "numbers of 4 bytes, not 8");
+  CHECK_ERROR(reader.read(5, std::span(some)), Errc::bad_input, "cannot be read");
+  reader.read(0, std::span(all));  // and is good again behind it
+  CHECK(all == numbers);
+}
+
+TEST_CASE("numbers of 4 bytes that are none, or numbers of 8 bytes, are not read as floats",
+          "[npy]") {
+  const auto refused = [](const std::string& bytes, const char* part) {
+    const TemporaryFile file(bytes);
+    const evaluation::NpyReader reader(file.path());
+    std::vector<float> numbers(3);
+    CHECK_ERROR(reader.read(0, std::span(numbers)), Errc::bad_input, part);
+  };
+  using Limits = std::numeric_limits<float>;
+  for (const float none : {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity()})
+    refused(npy(header_of("(3, )", "<f4"),
+                std::string(evaluation::npy_bytes(std::vector<float>{1, 2, none}))),
+            "number 2 is not finite");
+  refused(npy(header_of("(3, )"), bytes_of({1, 2, 3})), "numbers of 8 bytes, not 4");
 }
 
 TEST_CASE("files that are no such array are refused before memory is taken", "[npy]") {
