@@ -7,6 +7,7 @@
 #include "brdf/direct_sum.h"
 #include "brdf/synthetic_profile.h"
 #include "tests/support/is_error.h"
+#include "tests/support/worst_error.h"
 
 namespace {
 
@@ -55,7 +56,9 @@ brdf::StepIntegral fine_steps() {
 }
 
 double difference(const Xyz& a, const Xyz& b) {
-  return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
+  WorstError worst;
+  for (const double error : {a.x - b.x, a.y - b.y, a.z - b.z}) worst.see(std::abs(error));
+  return worst.value();
 }
 
 std::vector<Vector3d> scattering() {
@@ -66,6 +69,45 @@ std::vector<Vector3d> scattering() {
 }
 
 }  // namespace
+
+TEST_CASE("wavelengths of one's own are weighed as a spectrum is, for every direction",
+          "[spectral_integral]") {
+  std::vector<Length> wavelengths;
+  for (const double nm : {360.0, 380.0, 400.0, 470.0, 555.0, 600.0, 700.0, 830.0, 900.0, 1000.0})
+    wavelengths.push_back(Length::nm(nm));
+  const auto weights = brdf::colour_weights(wavelengths);
+  const brdf::StepIntegral integral(wavelengths);
+  std::size_t j = 0;
+  const auto nodes = integral.nodes({0.1, 0.2, -1});
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (weights[i] == Xyz{}) continue;  // what the eye does not see is not computed
+    REQUIRE(j < nodes.size());
+    CHECK(nodes[j].wavelength == wavelengths[i]);
+    CHECK(nodes[j].weight == weights[i]);
+    ++j;
+  }
+  CHECK(j == nodes.size());
+  CHECK(j < wavelengths.size());
+  CHECK(integral.largest_count() == j);
+  CHECK(integral.nodes({0, 0, -2}).data() == nodes.data());
+}
+
+TEST_CASE("the wavelengths of a direction grow with its phase, up to the largest count",
+          "[spectral_integral]") {
+  const brdf::InterferenceReach reach{40, 0.5};
+  const double farthest_rad = reach.phase_rad({2, 0, -2}, {});
+  const AdaptiveIntegral integral({}, reach, 1e-3, farthest_rad);
+  std::size_t last = 0;
+  for (int i = 0; i <= 200; ++i) {
+    const std::size_t count = integral.nodes({0.01 * i, 0, -0.01 * i}).size();
+    CHECK(count >= last);
+    CHECK(count <= integral.largest_count());
+    last = count;
+  }
+  CHECK(last == integral.largest_count());
+  // Steps fewer than x / pi would take an oscillation within the range for the mean.
+  CHECK(static_cast<double>(last) >= farthest_rad / brdf::pi);
+}
 
 TEST_CASE("the adaptive integral is within its tolerance with fewer wavelengths",
           "[spectral_integral][oracle]") {
@@ -92,18 +134,32 @@ TEST_CASE("the bands of the orders hold all light of a periodic grating",
   const Grating grating(SurfaceModel::periodic);
   const auto reference = fine_steps();
   const BandIntegral bands({}, brdf::OrderBands(grating.surface, {Length::nm(1300)}, 4));
+  std::size_t seen = 0, all = 0;
   for (const Vector3d& s : scattering()) {
     CAPTURE(s.transpose());
     const auto nodes = bands.nodes(s);
     // 1e-3 of the white: steps of sigma_f leave 1e-4 of a lobe, the ends of the visible the rest.
     CHECK(difference(grating.colour(nodes, s), grating.colour(reference.nodes(s), s)) <= 1e-3);
     CHECK(nodes.size() <= bands.largest_count());
+    seen += nodes.size();
+    all += reference.nodes(s).size();
   }
+  CHECK(seen > 0);
+  CHECK(seen < all / 20);
   CHECK(bands.nodes({0.4, 0.3, -1.5}).empty());  // out of the plane of the orders
 }
 
 TEST_CASE("bands that overlap count once, each with its measure", "[spectral_integral]") {
   const Grating grating(SurfaceModel::periodic);
+  // Orders of 1.3 um are 14.5 sigma_f apart, 1 / (2 pi 3 um): at 12 each band overlaps the next,
+  // and no wavelength may come twice.
+  for (const double radius : {12.0, 100.0}) {
+    const BandIntegral wide({}, brdf::OrderBands(grating.surface, {Length::nm(1300)}, radius));
+    const auto nodes = wide.nodes({0.9, 0, -1});
+    CHECK(nodes.size() > 10);
+    for (std::size_t i = 1; i < nodes.size(); ++i)
+      CHECK(nodes[i].wavelength < nodes[i - 1].wavelength);
+  }
   // A radius of 100 sigma_f covers everything: rho = 1 is white, to 2e-3 of the steps' ends.
   const BandIntegral all({}, brdf::OrderBands(grating.surface, {Length::nm(1300)}, 100));
   for (const double u : {0.05, 0.5, 1.5}) {
@@ -132,5 +188,16 @@ TEST_CASE("interference reaches as far as window and surface let it", "[spectral
 }
 
 TEST_CASE("a spectrum that oscillates without end is refused", "[spectral_integral]") {
-  CHECK_ERROR(AdaptiveIntegral({}, {1e4, 1}, 1e-3, 1e5), brdf::Errc::invalid_argument, "--lambda");
+  const auto integral = [](double farthest_rad) {
+    return AdaptiveIntegral({}, {1e4, 1}, 1e-2, farthest_rad);
+  };
+  CHECK_ERROR(integral(1e5), brdf::Errc::invalid_argument, "--lambda");
+  CHECK_ERROR(integral(AdaptiveIntegral::most_rad * (1 + 1e-12)), brdf::Errc::invalid_argument,
+              "--lambda");
+  CHECK_ERROR(integral(std::nan("")), brdf::Errc::invalid_argument, "--lambda");
+  CHECK_NOTHROW(integral(AdaptiveIntegral::most_rad));
+  CHECK_ERROR(BandIntegral(
+                  {Length::nm(900), Length::nm(1000)},
+                  brdf::OrderBands(Grating(SurfaceModel::periodic).surface, {Length::nm(1300)}, 4)),
+              brdf::Errc::invalid_argument, "nm");
 }
