@@ -97,6 +97,15 @@ TEST_CASE("the white of even steps is D65 within their tolerance", "[band_quadra
   }
 }
 
+TEST_CASE("even steps lie in the middle of equal parts of the band in k", "[band_quadratures]") {
+  const auto nodes = BandQuadratures({}, 1).even_steps(4);
+  REQUIRE(nodes.size() == 4);
+  const double lo_per_nm = 1 / 780.0, hi_per_nm = 1 / 380.0;
+  for (int j = 0; j < 4; ++j)
+    CHECK(nodes[static_cast<std::size_t>(j)].wavelength.nm() ==
+          Approx(1 / (lo_per_nm + (hi_per_nm - lo_per_nm) * (j + 0.5) / 4)).epsilon(1e-13));
+}
+
 TEST_CASE("the weights of one node are the whole light", "[band_quadratures][oracle]") {
   // In the middle of the band in k, 2 / (1 / 380 + 1 / 780) nm.
   const auto nodes = BandQuadratures({}, 1).polynomial(1);
