@@ -71,7 +71,8 @@ void SurfaceColourOptions::require_consistent() const {
   if (!is_geometric() && !method_is("auto") && !method_is("chebyshev") && !method_is("direct"))
     refuse("--method " + method_ + ": must be one of auto, chebyshev, direct, " +
            GeometricOptions::names());
-  evaluation::white_scale(quantity());
+  brdf::at_place("--quantity " + name_in(quantity_choices, quantity()),
+                 [&] { return evaluation::white_scale(quantity()); });
   selection_.require_consistent();
   if (selection_.orders_only && lambda_nm_)
     refuse("--orders-only and --lambda exclude each other: the orders choose the wavelengths");

@@ -258,6 +258,9 @@ void SurfaceColourOptions::require_bakeable() const {
   if (is_geometric()) refuse("--method " + method_ + " knows no diffraction: nothing to bake");
   if (evaluation::is_npy(file()))
     refuse(file() + " is a volume already: bake takes a height field");
+  require_not_given(
+      {{optics_.fresnel.has_value(), "--fresnel"}, {optics_.shadowing.has_value(), "--shadowing"}},
+      "bake: it stays open for map and render");
 }
 
 brdf::VolumeGrid SurfaceColourOptions::volume_grid(const PatchColours& patch) const {

@@ -48,7 +48,8 @@ std::vector<DirectionPair> pairs_of(const MapOptions& options,
                                     const evaluation::Hemisphere& hemisphere) {
   std::vector<DirectionPair> pairs;
   for (const Angle theta_i : options.theta_i) {
-    const brdf::Direction omega_i = brdf::direction(theta_i, options.phi_i);
+    const brdf::Direction omega_i =
+        brdf::at_place("--theta-i", [&] { return brdf::direction(theta_i, options.phi_i); });
     for (const auto& pixel : hemisphere.pixels())
       pairs.push_back({omega_i, *hemisphere.direction(pixel.column, pixel.row)});
   }
