@@ -40,6 +40,7 @@ TEST_CASE("an unknown subcommand or option is named and refused", "[cli][refusal
        {"synth flat --size 9um --pixels 9 -o older.csv", "info x.png",
         "sweep x.png --theta-i 75deg --theta-r -5deg --lambda 1um", "peaks R.csv", "period R.csv",
         "precompute x.png --terms 3 -o older.csv", "plot R.csv -o older.csv", "colour R.csv",
+        "map x.png --theta-i 1deg -o older.csv", "bake x.png -o older.csv",
         "render x.png --light 1deg,0deg -o older.csv", "validate a.csv b.csv --max-error 1"})
     check_refused(folder, command + " --frobnicate", 2, {"--frobnicate"});
 }
@@ -55,6 +56,11 @@ TEST_CASE("a missing argument is named and refused", "[cli][refusal]") {
   check_refused(folder, "precompute g.gsf --terms 3", 2, {"--output"});
   check_refused(folder, "precompute g.gsf -o t.npy", 2, {"--terms"});
   check_refused(folder, "colour", 2, {"response"});
+  check_refused(folder, "map g.gsf -o older.csv", 2, {"--theta-i"});
+  check_refused(folder, "map g.gsf --theta-i 1deg", 2, {"--output"});
+  check_refused(folder, "map --theta-i 1deg -o older.csv", 2, {"file"});
+  check_refused(folder, "bake g.gsf", 2, {"--output"});
+  check_refused(folder, "bake -o older.csv", 2, {"file"});
   check_refused(folder, "render g.gsf -o older.csv", 2, {"--light"});
   check_refused(folder, "validate a.csv b.csv", 2, {"--max-error"});
   check_refused(folder, "synth blazed --period 1um --height 1um --size 9um --pixels 9", 2,

@@ -1,12 +1,12 @@
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstring>
-#include <iomanip>
-#include <sstream>
+#include <cstdlib>
 #include <vector>
 
+#include "tests/cli/colour_maps.h"
 #include "tests/cli/gratings.h"
 #include "tests/cli/pictures.h"
+#include "tests/cli/pixels.h"
 #include "tests/cli/refusal.h"
 #include "tests/cli/sidecars.h"
 #include "tests/cli/tables.h"
@@ -14,31 +14,6 @@
 namespace {
 
 const std::string wavelengths = " --lambda 380:780:5nm";
-
-/// Numbers behind the header of an NPY file of doubles.
-std::vector<double> numbers_of(const std::string& npy) {
-  const std::size_t head =
-      10 + static_cast<unsigned char>(npy.at(8)) + 256u * static_cast<unsigned char>(npy.at(9));
-  std::vector<double> numbers((npy.size() - head) / sizeof(double));
-  std::memcpy(numbers.data(), npy.data() + head, numbers.size() * sizeof(double));
-  return numbers;
-}
-
-/// An axis takes no more digits than these; 1e-12 deg are far below what a colour shows.
-std::string decimals(double value) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(12) << value;
-  return text.str();
-}
-
-/// Largest difference of the luminances of two maps.
-double worst_y(const std::vector<double>& a, const std::vector<double>& b) {
-  REQUIRE(a.size() == b.size());
-  double worst = 0;
-  for (std::size_t i = 1; i < a.size(); i += 3)
-    worst = std::abs(a[i] - b[i]) <= worst ? worst : std::abs(a[i] - b[i]);
-  return worst;
-}
 
 }  // namespace
 
@@ -52,9 +27,8 @@ TEST_CASE("a pixel of a map has the colour that sweep and colour find there",
   REQUIRE(map.size() == 33 * 33 * 3);
   CHECK(map[0] == 0);  // a corner, outside the disk
   for (const int column : {3, 16, 20, 29}) {
-    const double theta = std::asin((2.0 * column + 1) / 33 - 1) * 180 / 3.14159265358979323846;
-    folder.prepare("sweep g.gsf --theta-i 20deg --tolerance 1e-9 --theta-r " + decimals(theta) +
-                   "deg" + wavelengths + " -o R.csv");
+    folder.prepare("sweep g.gsf --theta-i 20deg --tolerance 1e-9 --theta-r " +
+                   angle_at(place_of(column, 33)) + wavelengths + " -o R.csv");
     folder.prepare("colour R.csv -o c.csv");
     const auto table = table_of(folder.read("c.csv"));
     REQUIRE(table.size() == 2);
@@ -139,6 +113,127 @@ TEST_CASE("the bands of a grating's orders give its map within 1 % of the white"
   CHECK(worst_y(numbers_of(folder.read("wrong.npy")), full) > 1e-2);
 }
 
+TEST_CASE("rows of a map run towards larger y", "[cli][map][oracle]") {
+  const Scratch folder;
+  make_small(folder);
+  folder.prepare("map g.gsf --theta-i 20deg --phi-i 90deg --size 33 --tolerance 1e-9" +
+                 wavelengths + " -o m.png");
+  const auto map = numbers_of(folder.read("m.npy"));
+  REQUIRE(map.size() == 33 * 33 * 3);
+  for (const int row : {4, 10, 22, 28}) {
+    folder.prepare(
+        "sweep g.gsf --theta-i 20deg --phi-i 90deg --phi-r 90deg --tolerance 1e-9 --theta-r " +
+        angle_at(place_of(row, 33)) + wavelengths + " -o R.csv");
+    folder.prepare("colour R.csv -o c.csv");
+    const auto table = table_of(folder.read("c.csv"));
+    REQUIRE(table.size() == 2);
+    const auto y = [&](int of_row) {
+      return map[(static_cast<std::size_t>(of_row) * 33 + 16) * 3 + 1];
+    };
+    const double expected = value_of(table[1][2]);
+    CAPTURE(row);
+    // Both amplitudes are within 1e-9 of the flat patch's.
+    CHECK(std::abs(y(row) - expected) <= 1e-7 * expected + 1e-8);
+    // The mirror direction lies at -sin 20 deg: the other way round it is another colour.
+    CHECK(std::abs(y(32 - row) - expected) > 1e-2 * expected);
+  }
+}
+
+TEST_CASE("a map is a picture, its colours beside it and what they were made of", "[cli][map]") {
+  const Scratch folder;
+  make_small(folder);
+  folder.prepare("map g.gsf --theta-i 10deg,40deg,70deg --size 21 --exposure 2.5 -o m.png");
+  // The grating, the picture, and their sidecars; the colours.
+  CHECK(folder.contents().size() == 5);
+  const std::string png = folder.read("m.png");
+  CHECK(png.substr(0, 8) == "\x89PNG\r\n\x1a\n");
+  CHECK(png.substr(png.size() - 8, 4) == "IEND");
+  const Npy npy = npy_of(folder.read("m.npy"));
+  CHECK_THAT(npy.header, Catch::StartsWith("{'descr': '<f8', 'fortran_order': False, "
+                                           "'shape': (3, 21, 21, 3), }"));
+  REQUIRE(npy.numbers.size() == 3 * 21 * 21 * 3);
+  int outside = 0, inside = 0, dark_inside = 0, lit_outside = 0;
+  for (int light = 0; light < 3; ++light)
+    for (int row = 0; row < 21; ++row)
+      for (int column = 0; column < 21; ++column) {
+        const auto at = static_cast<std::size_t>(((light * 21 + row) * 21 + column) * 3);
+        const bool dark =
+            npy.numbers[at] == 0 && npy.numbers[at + 1] == 0 && npy.numbers[at + 2] == 0;
+        const bool in = in_disk(column, row, 21);
+        ++(in ? inside : outside);
+        if (in && dark) ++dark_inside;
+        if (!in && !dark) ++lit_outside;
+      }
+  CHECK(lit_outside == 0);
+  CHECK(dark_inside == 0);
+  CHECK(outside > 0);
+  const auto sidecar = sidecar_of(folder, "m.png");
+  CHECK(sidecar["input"]["sha256"] == sha256sum(folder, "g.gsf"));
+  CHECK(sidecar["output"]["sha256"] == sha256sum(folder, "m.png"));
+  CHECK(sidecar["linear_xyz"]["file"] == "m.npy");
+  const auto& p = sidecar["parameters"];
+  CHECK(p["theta_i_deg"] == nlohmann::json({10.0, 40.0, 70.0}));
+  CHECK(p["size"] == 21);
+  CHECK(p["exposure"] == 2.5);
+  CHECK(p["exposure_by"] == "given");
+  CHECK(p["mirror_lobe"] == "shown");
+  CHECK(p["pixels"] == inside);
+}
+
+TEST_CASE("twice the exposure is twice the light of a code, and leaves the colours",
+          "[cli][map][oracle]") {
+  const Scratch folder;
+  make_small(folder);
+  const std::string map = "map g.gsf --method lambert --albedo 0.5 --theta-i 60deg --size 64 ";
+  folder.prepare(map + "--exposure 1 -o once.png");
+  folder.prepare(map + "--exposure 2 -o twice.png");
+  CHECK(folder.read("once.npy") == folder.read("twice.npy"));
+  // Grey of 0.25 is 1.055 0.25^(1/2.4) - 0.055 = 0.5371 in sRGB, and 0.5 is 0.7354; the white of
+  // sRGB is D65 to four digits, which moves a code by less than one.
+  const Code once = commonest_code(pixels_of(folder.read("once.png"))),
+             twice = commonest_code(pixels_of(folder.read("twice.png")));
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(std::abs(once[i] - 137) <= 1);
+    CHECK(std::abs(twice[i] - 188) <= 1);
+  }
+}
+
+TEST_CASE("the luminance of rough facets is pi times their BRDF and the cosine of the light",
+          "[cli][map][oracle]") {
+  const Scratch folder;
+  make_small(folder);
+  const std::string facets = " g.gsf --method microfacet --roughness 0.3 --theta-i 50deg ";
+  folder.prepare("map" + facets + "--size 33 -o m.png");
+  const auto map = numbers_of(folder.read("m.npy"));
+  REQUIRE(map.size() == 33 * 33 * 3);
+  for (const int column : {2, 9, 16, 30}) {
+    folder.prepare("sweep" + facets + "--quantity brdf --lambda 500nm --theta-r " +
+                   angle_at(place_of(column, 33)) + " -o R.csv");
+    const auto table = table_of(folder.read("R.csv"));
+    REQUIRE(table.size() == 2);
+    const double expected = 3.14159265358979323846 * 0.64278760968653933 *  // cos 50 deg
+                            value_of(table[1][1]);
+    CAPTURE(column);
+    // Sums of 81 wavelengths, and a table of white whose Y is 1 to rounding.
+    CHECK(std::abs(map[(16 * 33 + static_cast<std::size_t>(column)) * 3 + 1] - expected) <=
+          1e-12 * expected);
+  }
+}
+
+TEST_CASE("a map that is refused leaves the older one", "[cli][map][refusal]") {
+  const Scratch folder;
+  make_small(folder);
+  for (const std::string name : {"m.png", "m.npy", "m.png.json"}) folder.write(name, "older");
+  check_refused(folder, "map g.gsf --theta-i 10deg,91deg -o m.png", 2, {"--theta-i", "91"});
+  check_refused(folder, "map g.gsf --theta-i 10deg --method taylor -o m.png", 2, {"taylor"});
+  check_refused(folder, "map g.gsf --theta-i 10deg --memory-limit 1MB -o m.png", 6,
+                {"--memory-limit"});
+  check_refused(folder,
+                "map g.gsf --theta-i 10deg --size 2048 --lambda 380:780:1nm "
+                "--method direct --time-limit 100ms -o m.png",
+                6, {"--time-limit"});
+}
+
 TEST_CASE("maps that cannot be are refused before anything is written", "[cli][map][refusal]") {
   const Scratch folder;
   make_small(folder);
@@ -147,14 +242,16 @@ TEST_CASE("maps that cannot be are refused before anything is written", "[cli][m
   };
   refused("--theta-i 10deg --size 0 -o m.png", {"--size", "0"});
   refused("--theta-i 10deg --size 5000 -o m.png", {"--size", "5000"});
-  refused("--theta-i 95deg -o m.png", {"95"});
+  refused("--theta-i 95deg -o m.png", {"--theta-i", "95"});
   refused("--theta-i 10deg, -o m.png", {"--theta-i"});
   refused("--theta-i 0deg,1deg,2deg,3deg,4deg,5deg,6deg,7deg,8deg,9deg,10deg,11deg,12deg -o m.png",
           {"13 lights", "12"});
   refused("--theta-i 10deg --arcs-azimuth 3deg -o m.png", {"--arcs-azimuth", "--arcs"});
   refused("--theta-i 10deg --orders-only --period 1um --lambda 400:700:5nm -o m.png",
           {"--orders-only", "--lambda"});
-  refused("--theta-i 10deg --quantity power -o m.png", {"white"});
+  for (const std::string quantity : {"power", "brdf"})
+    refused("--theta-i 10deg --quantity " + quantity + " -o m.png",
+            {"--quantity " + quantity, "white"});
   refused("--theta-i 10deg --method taylor -o m.png", {"--method taylor"});
   refused("--theta-i 10deg --colour-tolerance 0 -o m.png", {"--colour-tolerance"});
   refused("--theta-i 10deg --exposure 0 -o m.png", {"--exposure"});

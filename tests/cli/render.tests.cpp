@@ -1,15 +1,14 @@
-#include <png.h>
-
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstring>
+#include <cstdlib>
 #include <iomanip>
 #include <sstream>
-#include <stdexcept>
 
 #include "tests/cli/gratings.h"
 #include "tests/cli/pictures.h"
+#include "tests/cli/pixels.h"
 #include "tests/cli/refusal.h"
 #include "tests/cli/sidecars.h"
 #include "tests/cli/tables.h"
@@ -22,30 +21,6 @@ const std::string wavelengths = " --lambda 380:780:5nm --sigma 16.25um --toleran
 const std::string square =
     "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
     "f 1/1 2/2 3/3 4/4\n";
-
-/// Codes of a picture, by libpng.
-struct Pixels {
-  std::size_t cols, rows;
-  std::vector<unsigned char> codes;
-
-  std::array<int, 3> at(std::size_t col, std::size_t row) const {
-    const auto* p = &codes.at(3 * (row * cols + col));
-    return {p[0], p[1], p[2]};
-  }
-};
-
-Pixels pixels_of(const std::string& bytes) {
-  png_image png{};
-  png.version = PNG_IMAGE_VERSION;
-  if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()))
-    throw std::runtime_error(png.message);
-  png.format = PNG_FORMAT_RGB;
-  Pixels pixels{png.width, png.height, {}};
-  pixels.codes.resize(PNG_IMAGE_SIZE(png));
-  if (!png_image_finish_read(&png, nullptr, pixels.codes.data(), 0, nullptr))
-    throw std::runtime_error(png.message);
-  return pixels;
-}
 
 Json probed(const Scratch& folder, const std::string& command) {
   const Outcome outcome = folder.shedlight(command);
@@ -129,6 +104,35 @@ TEST_CASE("a picture has the size asked for and says how it was made", "[cli][re
     folder.prepare(command + "--threads " + threads + " -o t.png");
     CHECK(folder.read("t.png") == folder.read("p.png"));
   }
+}
+
+TEST_CASE("a picture from a volume is the picture from the heights", "[cli][render][oracle]") {
+  const Scratch folder;
+  folder.prepare("synth blazed --period 1600nm --height 250nm --size 6.4um --pixels 64 -o g.gsf");
+  folder.prepare("bake g.gsf --sigma 1.5um --colour-tolerance 2e-2 -o v.npy");
+  const std::string scene =
+      " --light 40deg,20deg --rotate 10deg,-15deg,5deg --size 48 --exposure 2";
+  folder.prepare("render g.gsf --sigma 1.5um" + scene + " -o heights.png");
+  folder.prepare("render v.npy" + scene + " -o volume.png");
+  const Pixels heights = pixels_of(folder.read("heights.png")),
+               volume = pixels_of(folder.read("volume.png"));
+  REQUIRE(heights.codes.size() == volume.codes.size());
+  int worst = 0, largest = 0;
+  for (std::size_t i = 0; i < heights.codes.size(); ++i) {
+    worst = std::max(worst, std::abs(heights.codes[i] - volume.codes[i]));
+    largest = std::max<int>(largest, heights.codes[i]);
+  }
+  // 2 % of linear light are 2 % / 2.4 of a code up to 255, and a rounding.
+  CHECK(worst <= 3);
+  CHECK(largest > 200);
+  // The same pixel, looked up alone.
+  const std::string probe = scene + " --probe 30,20";
+  const Json baked = probed(folder, "render v.npy" + probe),
+             exact = probed(folder, "render g.gsf --sigma 1.5um" + probe);
+  REQUIRE(exact["shows"] == "lit");
+  CHECK(baked["theta_r_deg"] == exact["theta_r_deg"]);
+  CHECK(baked["rgb"] == Json(volume.at(30, 20)));
+  CHECK(exact["rgb"] == Json(heights.at(30, 20)));
 }
 
 TEST_CASE("without a share of diffraction a diffuse colour is left, by the cosine of the light",
