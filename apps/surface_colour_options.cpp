@@ -27,10 +27,11 @@ void SurfaceColourOptions::add_to(CLI::App* app) {
       ->type_name("auto|chebyshev|direct|" + GeometricOptions::names());
   add_parsed(app, "--tolerance", tolerance_, parse_number,
              "largest error of the amplitude, flat patch's peak = 1 (default 1e-5)", "NUMBER");
-  add_parsed(app, "--colour-tolerance", colour_tolerance_, parse_number,
-             "largest error of the integral over wavelengths, as a part of the local brightness "
-             "(default 1e-3)",
-             "NUMBER");
+  add_parsed(
+      app, "--colour-tolerance", colour_tolerance_, parse_number,
+      "error that the integral over wavelengths may make, as a part of the local brightness; "
+      "bake measures and states that of its volume beside it (default 1e-3)",
+      "NUMBER");
   optics_.add_to(app);
   selection_.add_to(app);
   geometric_.add_to(app);

@@ -24,7 +24,7 @@ void RunOptions::add_to(CLI::App* app) {
 evaluation::RunLimits RunOptions::limits() const {
   evaluation::RunLimits limits;
   limits.threads = threads;
-  if (time_limit) limits.time = {std::chrono::steady_clock::now(), *time_limit};
+  if (time_limit) limits.time = {start_, *time_limit};
   return limits;
 }
 

@@ -19,11 +19,14 @@ struct RunOptions {
   bool strict = false;
 
   void add_to(CLI::App* app);
-  /// The time begins with the call.
+  /// The time runs from the start of the program.
   evaluation::RunLimits limits() const;
   Attainability attainability() const {
     return strict ? Attainability::refuse : Attainability::warn;
   }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace apps
