@@ -16,9 +16,7 @@ struct Exposure {
   bool asked_auto = false;  ///< by name
 
   void add_to(CLI::App* app);
-  /// The factor given, or the one by which, of the colours with any light, 1 % are brighter than
-  /// white, or those that hold half of all light where these are fewer: a grating sends nearly all
-  /// of it to a few pixels. 1 where there is no light.
+  /// The factor given, or the automatic one (evaluation/exposure.h).
   double of(std::span<const brdf::Xyz> colours) const;
   std::string description() const;
   /// "exposure 7 (auto: ...)"

@@ -9,35 +9,10 @@
 #include <vector>
 
 #include "brdf/chebyshev_fit.h"
+#include "brdf/gauss_legendre.h"
 #include "brdf/units.h"
 
 namespace brdf {
-
-namespace detail {
-
-struct QuadratureRule {
-  std::vector<double> nodes, weights;
-};
-
-/// Gauss-Legendre rule on [0, 1], exact for polynomials of degree 2 count - 1.
-inline QuadratureRule gauss_legendre(int count) {
-  QuadratureRule rule;
-  for (int i = 0; i < count; ++i) {
-    double x = std::cos(pi * (i + 0.75) / (count + 0.5)), derivative = 1;
-    for (int step = 0; step < 6; ++step) {  // Newton doubles the digits: 1e-2 to below rounding
-      double previous = 1, current = x;
-      for (int n = 2; n <= count; ++n)
-        previous = std::exchange(current, ((2 * n - 1) * x * current - (n - 1) * previous) / n);
-      derivative = count * (x * current - previous) / (x * x - 1);
-      x -= current / derivative;
-    }
-    rule.nodes.push_back((1 - x) / 2);
-    rule.weights.push_back(1 / ((1 - x * x) * derivative * derivative));
-  }
-  return rule;
-}
-
-}  // namespace detail
 
 /// A kernel psi(d) of `width` grid points, d in [-width/2, width/2), stored as polynomials.
 ///
@@ -130,7 +105,7 @@ class InterpolationKernel {
   /// Int psi(d) cos(omega d) dd for each omega [rad per grid point].
   std::vector<double> transform(const std::vector<double>& omegas) const {
     // Degree of the polynomial plus that of a cosine over half a turn to rounding.
-    const detail::QuadratureRule rule = detail::gauss_legendre((degree_ + 22) / 2);
+    const QuadratureRule rule = gauss_legendre((degree_ + 22) / 2);
     std::vector<std::vector<double>> values;
     for (const double x : rule.nodes) values.push_back(taps(x));
     // The nodes x and 1 - x share a sine and cosine, and the taps lie one grid point apart.

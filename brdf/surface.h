@@ -21,6 +21,7 @@ enum class SurfaceModel {
 /// the origin.
 struct Replicas {
   int x = 1, y = 1;
+  bool operator==(const Replicas&) const = default;
 };
 
 /// Where x = y = 0 and the window's centre lie.

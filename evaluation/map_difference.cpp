@@ -4,9 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "brdf/colour.h"
-#include "brdf/colour_difference.h"
 #include "brdf/error.h"
+#include "evaluation/exposure.h"
 
 namespace evaluation {
 namespace {
@@ -45,11 +44,7 @@ MapDifference map_difference(const NpyFile& map, const NpyFile& reference, doubl
     const double *a = &map.numbers[3 * pixel], *b = &reference.numbers[3 * pixel];
     const auto is_dark = [](const double* c) { return c[0] == 0 && c[1] == 0 && c[2] == 0; };
     if (is_dark(a) && is_dark(b)) continue;  // outside the disk
-    const auto lab_of = [exposure](const double* c) {
-      const brdf::Xyz exposed = exposure * brdf::Xyz{c[0], c[1], c[2]};
-      return brdf::lab(xyz_of_linear_srgb(clipped_to_gamut(linear_srgb(exposed)).rgb));
-    };
-    const double found = ciede2000(lab_of(a), lab_of(b));
+    const double found = shown_difference({a[0], a[1], a[2]}, {b[0], b[1], b[2]}, exposure);
     all.push_back(found);
     difference.mean += found;
     if (found <= difference.worst) continue;

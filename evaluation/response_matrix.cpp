@@ -1,63 +1,15 @@
 #include "evaluation/response_matrix.h"
 
-#include <charconv>
 #include <cmath>
 #include <vector>
 
 #include "brdf/error.h"
+#include "evaluation/csv_lines.h"
 
 namespace evaluation {
 namespace {
 
 constexpr std::string_view long_header = "lambda_nm,theta_r_deg,value";
-
-/// One pass over the lines of a CSV, with the place for every refusal.
-class CsvLines {
- public:
-  CsvLines(std::string_view csv, const std::string& name) : rest_(csv), name_(name) {}
-
-  bool next() {
-    if (rest_.empty()) return false;
-    const std::size_t end = rest_.find('\n');
-    line_ = rest_.substr(0, end);
-    rest_ = end == std::string_view::npos ? std::string_view{} : rest_.substr(end + 1);
-    if (!line_.empty() && line_.back() == '\r') line_.remove_suffix(1);
-    ++number_;
-    return true;
-  }
-
-  std::string_view line() const { return line_; }
-
-  std::vector<std::string_view> fields() const {
-    std::vector<std::string_view> fields;
-    std::string_view rest = line_;
-    for (;;) {
-      const std::size_t comma = rest.find(',');
-      fields.push_back(rest.substr(0, comma));
-      if (comma == std::string_view::npos) return fields;
-      rest = rest.substr(comma + 1);
-    }
-  }
-
-  double number(std::string_view field, std::size_t column) const {
-    double value = 0;
-    const auto [end, ec] = std::from_chars(field.data(), field.data() + field.size(), value);
-    if (ec != std::errc{} || end != field.data() + field.size() || !std::isfinite(value))
-      refuse("column " + std::to_string(column + 1) + ": \"" + std::string(field.substr(0, 40)) +
-             "\" is not a finite number");
-    return value;
-  }
-
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw brdf::Error(brdf::Errc::bad_input,
-                      name_ + ": line " + std::to_string(number_) + ": " + what);
-  }
-
- private:
-  std::string_view rest_, line_;
-  const std::string& name_;
-  int number_ = 0;
-};
 
 /// Digits after the point of a plain decimal.
 int decimals_of(std::string_view field) {
@@ -66,8 +18,23 @@ int decimals_of(std::string_view field) {
   return point == std::string_view::npos ? 0 : static_cast<int>(field.size() - point - 1);
 }
 
-void append(Axis& axis, double value, std::string_view field, const CsvLines& lines) {
-  if (!axis.values.empty() && !(value > axis.values.back()))
+/// One response as it is read.
+struct Reading {
+  CsvLines& lines;
+  CsvContent content;
+  ResponseMatrix& response;
+  std::vector<double>& values;
+
+  double cell(std::string_view field, std::size_t column) const {
+    return content == CsvContent::checked ? lines.finite_number(field, column)
+                                          : lines.number(field, column);
+  }
+};
+
+void append(Axis& axis, double value, std::string_view field, const Reading& reading) {
+  const CsvLines& lines = reading.lines;
+  if (reading.content == CsvContent::checked && !axis.values.empty() &&
+      !(value > axis.values.back()))
     lines.refuse("axis value " + std::string(field) + " does not increase");
   if (axis.values.empty()) axis.decimals = decimals_of(field);
   if (decimals_of(field) != axis.decimals) axis.decimals = Axis::shortest;
@@ -75,52 +42,55 @@ void append(Axis& axis, double value, std::string_view field, const CsvLines& li
 }
 
 void require_physical(const ResponseMatrix& response, const std::string& name) {
-  if (!(response.lambda_nm.front() > 0))
-    throw brdf::Error(
-        brdf::Errc::bad_input,
-        name + ": wavelength " + number_text(response.lambda_nm.front()) + " nm must be > 0");
-  for (const double theta : {response.theta_r_deg.front(), response.theta_r_deg.back()})
+  for (const double lambda : response.lambda_nm.values)
+    if (!(lambda > 0))
+      throw brdf::Error(brdf::Errc::bad_input,
+                        name + ": wavelength " + number_text(lambda) + " nm must be > 0");
+  for (const double theta : response.theta_r_deg.values)
     if (!(std::abs(theta) < 90))
       throw brdf::Error(brdf::Errc::bad_input, name + ": viewing angle " + number_text(theta) +
                                                    " deg must lie between -90 and 90");
 }
 
-void read_matrix(CsvLines& lines, ResponseMatrix& response, std::vector<double>& values) {
+void read_matrix(const Reading& reading) {
+  auto& [lines, content, response, values] = reading;
   const std::vector<std::string_view> header = lines.fields();
   if (header.size() < 2 || header[0] != "lambda_nm")
     lines.refuse("header must begin with lambda_nm and hold at least one angle");
   for (std::size_t i = 1; i < header.size(); ++i)
-    append(response.theta_r_deg, lines.number(header[i], i), header[i], lines);
+    append(response.theta_r_deg, lines.finite_number(header[i], i), header[i], reading);
   while (lines.next()) {
     const std::vector<std::string_view> fields = lines.fields();
     if (fields.size() != header.size())
       lines.refuse(std::to_string(fields.size()) + " fields, the header has " +
                    std::to_string(header.size()));
-    append(response.lambda_nm, lines.number(fields[0], 0), fields[0], lines);
-    for (std::size_t i = 1; i < fields.size(); ++i) values.push_back(lines.number(fields[i], i));
+    append(response.lambda_nm, lines.finite_number(fields[0], 0), fields[0], reading);
+    for (std::size_t i = 1; i < fields.size(); ++i) values.push_back(reading.cell(fields[i], i));
   }
 }
 
-void read_long_table(CsvLines& lines, ResponseMatrix& response, std::vector<double>& values) {
+void read_long_table(const Reading& reading) {
+  auto& [lines, content, response, values] = reading;
   Axis& lambda_nm = response.lambda_nm;
   Axis& theta_r_deg = response.theta_r_deg;
   while (lines.next()) {
     const std::vector<std::string_view> fields = lines.fields();
     if (fields.size() != 3) lines.refuse(std::to_string(fields.size()) + " fields, not 3");
-    const double lambda = lines.number(fields[0], 0), theta = lines.number(fields[1], 1);
+    const double lambda = lines.finite_number(fields[0], 0);
+    const double theta = lines.finite_number(fields[1], 1);
     if (lambda_nm.values.empty() || lambda != lambda_nm.back()) {
       if (lambda_nm.size() > 0 && values.size() != lambda_nm.size() * theta_r_deg.size())
         lines.refuse("the row of wavelength " + number_text(lambda_nm.back()) + " is not complete");
-      append(lambda_nm, lambda, fields[0], lines);
+      append(lambda_nm, lambda, fields[0], reading);
     }
     if (lambda_nm.size() == 1) {
-      append(theta_r_deg, theta, fields[1], lines);
+      append(theta_r_deg, theta, fields[1], reading);
     } else {
       const std::size_t column = values.size() % theta_r_deg.size();
       if (values.size() >= lambda_nm.size() * theta_r_deg.size() || theta != theta_r_deg[column])
         lines.refuse("angle " + std::string(fields[1]) + " is not on the grid of the first row");
     }
-    values.push_back(lines.number(fields[2], 2));
+    values.push_back(reading.cell(fields[2], 2));
   }
   if (values.size() != lambda_nm.size() * theta_r_deg.size())
     lines.refuse("the last wavelength is not complete");
@@ -159,15 +129,17 @@ std::string to_csv(const ResponseMatrix& response, CsvLayout layout) {
   return csv;
 }
 
-ResponseMatrix response_from_csv(std::string_view csv, const std::string& name) {
+ResponseMatrix response_from_csv(std::string_view csv, const std::string& name,
+                                 CsvContent content) {
   CsvLines lines(csv, name);
   if (!lines.next()) throw brdf::Error(brdf::Errc::bad_input, name + ": file is empty");
   ResponseMatrix response;
   std::vector<double> values;
+  const Reading reading{lines, content, response, values};
   if (lines.line() == long_header)
-    read_long_table(lines, response, values);
+    read_long_table(reading);
   else
-    read_matrix(lines, response, values);
+    read_matrix(reading);
   if (values.empty()) throw brdf::Error(brdf::Errc::bad_input, name + ": holds no rows");
   require_physical(response, name);
   response.values = Eigen::Map<const brdf::HeightArray>(

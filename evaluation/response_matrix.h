@@ -24,11 +24,19 @@ enum class CsvLayout {
 /// The CSV text of a response; numbers as short as reads back the same, axes as they were asked.
 std::string to_csv(const ResponseMatrix& response, CsvLayout layout);
 
+/// What a response that is read may hold.
+enum class CsvContent {
+  checked,     ///< finite values on axes that increase
+  as_written,  ///< to be judged: values that are not finite and rows in any order, too
+};
+
 /// Reads either layout, told by the header.
 ///
 /// Throws brdf::Error(Errc::bad_input) naming `name`, line, column and value for: a wrong header, a
-/// number that is none or not finite, a row of another length, an axis that does not increase, a
-/// wavelength that is not positive, an angle of 90 deg or more, a long table that is no full grid.
-ResponseMatrix response_from_csv(std::string_view csv, const std::string& name);
+/// number that is none, a row of another length, a wavelength that is not positive, an angle of 90
+/// deg or more, a long table that is no full grid; and where the content is to be checked for a
+/// value that is not finite and an axis that does not increase.
+ResponseMatrix response_from_csv(std::string_view csv, const std::string& name,
+                                 CsvContent content = CsvContent::checked);
 
 }  // namespace evaluation

@@ -14,8 +14,10 @@ void add_period(CLI::App& app);
 void add_plot(CLI::App& app);
 void add_colour(CLI::App& app);
 void add_map(CLI::App& app);
+void add_albedo(CLI::App& app);
 void add_bake(CLI::App& app);
 void add_render(CLI::App& app);
+void add_tradeoff(CLI::App& app);
 void add_validate(CLI::App& app);
 
 }  // namespace apps

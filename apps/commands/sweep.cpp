@@ -30,21 +30,6 @@ void require_memory(std::size_t needed, const SweepOptions& options) {
                        options.run.memory_limit);
 }
 
-void check_sampling(const evaluation::SweepRequest& request, const brdf::HeightField& field,
-                    const SweepOptions& options) {
-  const auto excess = evaluation::nyquist_excess(request, field);
-  if (!excess) return;
-  const std::string safe =
-      excess->safe_deg
-          ? fmt::format("safe are {} to {} deg", excess->safe_deg->first, excess->safe_deg->second)
-          : "no angle asked for is safe";
-  report_unattained(
-      fmt::format("{}: at {} nm the viewing angles go past the Nyquist limit of its {} x {} um "
-                  "pixels: {}",
-                  options.heights.file, excess->lambda_nm, field.dx_um(), field.dy_um(), safe),
-      options.run.attainability());
-}
-
 /// Says where the error stated, or the error found, is above what was asked for.
 void check_error(const char* what, double error, const SweepOptions& options) {
   const double limit = options.settings.terms ? tolerable_bound : tolerance(options);
@@ -58,15 +43,12 @@ void check_error(const char* what, double error, const SweepOptions& options) {
 }
 
 /// What every method has in common.
-Json scene_json(const SweepOptions& options, const evaluation::SweepRequest& request,
-                const brdf::HeightField& field) {
+Json common_json(const SweepOptions& options, const evaluation::SweepRequest& request,
+                 const brdf::HeightField& field) {
   Json p = options.heights.parameters(field);
   p["preset"] = name_in(preset_choices, options.preset);
-  p["theta_i_deg"] = request.theta_i.deg();
-  p["phi_i_deg"] = request.phi_i.deg();
-  p["phi_r_deg"] = request.phi_r.deg();
-  p["theta_r_deg"] = axis_json(request.theta_r_deg);
-  p["lambda_nm"] = axis_json(request.lambda_nm);
+  p.update(apps::scene_json(request));
+  if (!options.like.file.empty()) p["like"] = options.like.parameters();
   p["method"] = *options.method;
   p["layout"] = name_in(layout_choices, options.layout);
   p["strict"] = options.run.strict;
@@ -152,7 +134,7 @@ Computed diffraction(const SweepOptions& options, const evaluation::SweepRequest
   const evaluation::Method& method = evaluation::method_named(*options.method);
   const brdf::HeightField& field = *surface.heights;
   const brdf::QueryBounds bounds = bounds_of(request, tolerance(options));
-  check_sampling(request, field, options);
+  check_sampling(request, field, options.heights.file, options.run.attainability());
   require_memory(method.bytes(surface, bounds, options.settings) +
                      response_bytes(options, request) +
                      static_cast<std::size_t>(field.heights_um().size()) * sizeof(double),
@@ -216,7 +198,7 @@ void run(SweepOptions options) {
   if (!output) return print(csv);
 
   Json sidecar = sidecar_head("sweep", options.heights.file, input.sha256);
-  sidecar["parameters"] = scene_json(options, request, input.field);
+  sidecar["parameters"] = common_json(options, request, input.field);
   sidecar["parameters"].update(computed.parameters);
   sidecar["error"] = computed.error;
   sidecar = output->commit(csv, std::move(sidecar));

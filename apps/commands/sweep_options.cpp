@@ -94,11 +94,38 @@ void require_geometric(const SweepOptions& options) {
 
 }  // namespace
 
+void SweepOptions::fill_in_like() {
+  require_not_given({{preset == Preset::thesis, "--preset thesis"},
+                     {method.has_value(), "--method"},
+                     {settings.terms.has_value(), "--terms"},
+                     {settings.radius_sigma_f.has_value(), "--window-radius"},
+                     {settings.interpolation.has_value(), "--interpolation"},
+                     {tolerance.has_value(), "--tolerance"},
+                     {illuminated.model.has_value(), "--surface"},
+                     {illuminated.replicas.has_value(), "--replicas"}},
+                    "--like, which brings method and knobs");
+  like.read();
+  const evaluation::Trial& trial = like.trial;
+  method = trial.method;
+  settings = trial.settings(run.threads);
+  tolerance = trial.tolerance;
+  illuminated.model = trial.model;
+  if (trial.model == SurfaceModel::replicated)
+    illuminated.replicas = {trial.replicas.x, trial.replicas.y};
+  if (trial.cells == evaluation::Cells::orders) {
+    if (!selection.period)
+      throw brdf::Error(brdf::Errc::invalid_argument,
+                        like.place() + " evaluates the orders only: give --period, too");
+    selection.orders_only = true;
+  }
+}
+
 void SweepOptions::resolve() {
   settings.threads = run.threads;
   if (json && output.empty() && !explain)
     throw brdf::Error(brdf::Errc::invalid_argument,
                       "--json needs -o: both would go to standard output");
+  if (!like.file.empty()) fill_in_like();
   if (preset == Preset::thesis) fill_in_thesis(*this);
   if (!method) method = method_meant(*this);
   selection.require_consistent();
@@ -117,10 +144,8 @@ void SweepOptions::resolve() {
 }
 
 evaluation::SweepRequest SweepOptions::request() const {
-  evaluation::SweepRequest request{*theta_i, phi_i, phi_r.value_or(phi_i), *lambda_nm,
-                                   *theta_r_deg};
+  evaluation::SweepRequest request = thinned(scene.request(), like.trial.lambda_step_nm);
   if (preset == Preset::thesis) request.depth = evaluation::DepthFrequency::unit_w;
-  evaluation::require_valid(request);
   return request;
 }
 
@@ -130,22 +155,6 @@ brdf::Surface SweepOptions::surface(const brdf::HeightField& field) const {
 }
 
 namespace {
-
-void add_scene(CLI::App* sweep, SweepOptions& options) {
-  add_parsed(sweep, "--theta-i", options.theta_i, parse_angle, "angle of incidence", "ANGLE")
-      ->required();
-  add_parsed(sweep, "--phi-i", options.phi_i, parse_angle, "azimuth of the light (default 0deg)",
-             "ANGLE");
-  add_parsed(sweep, "--theta-r", options.theta_r_deg, parse_angle_axis,
-             "viewing angles, positive on the light's side", "START:STOP:STEP")
-      ->required();
-  add_parsed(sweep, "--phi-r", options.phi_r, parse_angle,
-             "azimuth of the half-plane where theta_r is positive (default: phi_i)", "ANGLE");
-  add_parsed(sweep, "--lambda", options.lambda_nm, parse_length_axis, "wavelengths",
-             "START:STOP:STEP")
-      ->required();
-  options.illuminated.add_to(sweep);
-}
 
 void add_method(CLI::App* sweep, SweepOptions& options) {
   std::string names;
@@ -186,7 +195,9 @@ void add_run(CLI::App* sweep, SweepOptions& options) {
 void SweepOptions::add_to(CLI::App* sweep) {
   heights.add_to(sweep);
   tables.add_to(sweep);
-  add_scene(sweep, *this);
+  scene.add_to(sweep);
+  illuminated.add_to(sweep);
+  like.add_to(sweep);
   add_method(sweep, *this);
   optics.add_to(sweep);
   selection.add_to(sweep);

@@ -7,8 +7,10 @@
 
 #include "apps/commands/geometric_options.h"
 #include "apps/commands/illuminated_options.h"
+#include "apps/commands/like_options.h"
 #include "apps/commands/optics_options.h"
 #include "apps/commands/run_options.h"
+#include "apps/commands/scene_options.h"
 #include "apps/commands/selection_options.h"
 #include "apps/commands/tables_options.h"
 #include "apps/options.h"
@@ -29,10 +31,8 @@ extern const Choices<Preset> preset_choices;
 
 struct SweepOptions {
   HeightOptions heights;
-  std::optional<brdf::Angle> theta_i;
-  brdf::Angle phi_i;
-  std::optional<brdf::Angle> phi_r;
-  std::optional<evaluation::Axis> theta_r_deg, lambda_nm;
+  SceneOptions scene;
+  LikeOptions like;
   std::optional<std::string> method;
   evaluation::MethodSettings settings;
   TablesOptions tables;
@@ -49,7 +49,7 @@ struct SweepOptions {
   bool json = false, explain = false;
 
   void add_to(CLI::App* sweep);
-  /// Fills in what a preset and the options together leave open, and refuses combinations that
+  /// Fills in what a row of a trade-off, a preset and the options together leave open, and refuses combinations that
   /// have no meaning.
   void resolve();
   /// Whether the method is one without diffraction.
@@ -58,6 +58,9 @@ struct SweepOptions {
   evaluation::SweepRequest request() const;
   /// Refers to the field.
   brdf::Surface surface(const brdf::HeightField& field) const;
+
+ private:
+  void fill_in_like();
 };
 
 }  // namespace apps

@@ -1,7 +1,6 @@
 // shedlight validate: two responses held against each other.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -14,7 +13,7 @@
 #include "evaluation/map_difference.h"
 #include "evaluation/npy.h"
 #include "evaluation/readers/file_bytes.h"
-#include "evaluation/response_matrix.h"
+#include "evaluation/response_difference.h"
 
 namespace apps {
 namespace {
@@ -25,19 +24,21 @@ struct ValidateOptions {
   std::optional<double> exposure;
 };
 
-evaluation::ResponseMatrix read(const std::string& file) {
-  return evaluation::response_from_csv(evaluation::read_file_bytes(file), file);
+evaluation::ResponseMatrix read(const std::string& file, evaluation::CsvContent content) {
+  return evaluation::response_from_csv(evaluation::read_file_bytes(file), file, content);
 }
 
-void require_same_axis(const ValidateOptions& options, const evaluation::Axis& a,
-                       const evaluation::Axis& b, const char* name) {
-  if (a.values == b.values) return;
-  throw brdf::Error(
-      brdf::Errc::bad_input,
-      fmt::format("{} and {}: the axes {} differ: {} to {} in {} values against {} to "
-                  "{} in {}",
-                  options.file, options.reference, name, a.front(), a.back(), a.size(), b.front(),
-                  b.back(), b.size()));
+/// Throws where the axes hold other values than the reference's; says where they hold them in
+/// another order.
+void require_same_axis(const ValidateOptions& options, const evaluation::Axis& axis,
+                       const evaluation::Axis& reference, const std::string& name) {
+  const auto misplaced = brdf::at_place(options.file + " and " + options.reference, [&] {
+    return evaluation::out_of_order(axis, reference, name);
+  });
+  if (!misplaced) return;
+  print(fmt::format("FAILED: {} {} stands where {} has {}\n", name, misplaced->found,
+                    options.reference, misplaced->expected));
+  throw ValidationFailed{};
 }
 
 std::string verdict(double worst, double allowed) {
@@ -70,20 +71,20 @@ void run(const ValidateOptions& options) {
   if (options.exposure)
     throw brdf::Error(brdf::Errc::invalid_argument,
                       "--exposure has no meaning for responses; it goes with the NPY of maps");
-  const evaluation::ResponseMatrix response = read(options.file);
-  const evaluation::ResponseMatrix reference = read(options.reference);
+  const auto response = read(options.file, evaluation::CsvContent::as_written);
+  const auto reference = read(options.reference, evaluation::CsvContent::checked);
   require_same_axis(options, response.lambda_nm, reference.lambda_nm, "lambda_nm");
   require_same_axis(options, response.theta_r_deg, reference.theta_r_deg, "theta_r_deg");
-  Eigen::Index row = 0, column = 0;
-  const double worst = (response.values - reference.values).abs().maxCoeff(&row, &column);
-  const bool passed = worst <= options.max_error;
+  const auto [worst, row, column] = response_difference(response, reference);
+  const auto value = [row, column](const evaluation::ResponseMatrix& of) {
+    return of.values(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
+  };
   print(fmt::format(
       "{}: largest difference {:.3g} at {} nm, {} deg ({:.6g} against {:.6g}); "
       "allowed {:.3g}\n",
-      verdict(worst, options.max_error), worst, response.lambda_nm[static_cast<std::size_t>(row)],
-      response.theta_r_deg[static_cast<std::size_t>(column)], response.values(row, column),
-      reference.values(row, column), options.max_error));
-  if (!passed) throw ValidationFailed{};
+      verdict(worst, options.max_error), worst, reference.lambda_nm[row],
+      reference.theta_r_deg[column], value(response), value(reference), options.max_error));
+  if (!(worst <= options.max_error)) throw ValidationFailed{};
 }
 
 }  // namespace

@@ -17,7 +17,10 @@ void check_target_refused(const Scratch& folder, const std::string& target) {
        {synth, sweep, std::string("peaks R.csv -o "), std::string("plot R.csv -o "),
         std::string("precompute g.gsf --terms 3 -o "), std::string("colour R.csv -o "),
         std::string("render g.gsf --light 1deg,0deg -o "),
-        std::string("map g.gsf --theta-i 1deg --size 16 -o "), std::string("bake g.gsf -o ")})
+        std::string("map g.gsf --theta-i 1deg --size 16 -o "), std::string("bake g.gsf -o "),
+        std::string("albedo g.gsf --theta-i 1deg --lambda 1um -o "),
+        "tradeoff g.gsf" + small_scene + " -o ",
+        "tradeoff g.gsf" + small_scene + " -o f.csv --plot "})
     check_refused(folder, command + target, 4, {target});
 }
 

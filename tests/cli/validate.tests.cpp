@@ -49,17 +49,69 @@ TEST_CASE("a deviation of either sign fails", "[cli][validate]") {
   }
 }
 
-TEST_CASE("a NaN on either side does not pass a validation", "[cli][validate]") {
+TEST_CASE("a cell that is no number fails a validation, and is named", "[cli][validate]") {
   const Scratch folder;
   folder.write("good.csv", csv);
-  for (const std::string nan : {"nan", "NaN", "-nan", "inf"}) {
+  for (const std::string nan : {"nan", "NaN", "-nan", "inf", "-inf"}) {
     folder.write("bad.csv", "lambda_nm,-50,-49\n500,1,2\n510," + nan + ",4\n");
-    check_refused(folder, "validate bad.csv good.csv --max-error 1e9", 3,
+    const Outcome outcome = folder.shedlight("validate bad.csv good.csv --max-error 1e300");
+    INFO(nan << ": " << outcome.out << outcome.err);
+    CHECK(outcome.exit_code == 1);
+    CHECK_THAT(outcome.out, Catch::Contains("FAILED") && Catch::Contains("at 510 nm, -50 deg"));
+    // A reference must be sound.
+    check_refused(folder, "validate good.csv bad.csv --max-error 1e300", 3,
                   {"bad.csv", "line 3", "column 2", nan});
-    check_refused(folder, "validate good.csv bad.csv --max-error 1e9", 3,
-                  {"bad.csv", "line 3", "column 2", nan});
-    check_refused(folder, "validate bad.csv bad.csv --max-error 1e9", 3, {"bad.csv"});
+    check_refused(folder, "validate bad.csv bad.csv --max-error 1e300", 3, {"bad.csv"});
   }
+}
+
+TEST_CASE("one cell of a sweep changed by 1 % fails, and is named", "[cli][validate]") {
+  const Scratch folder;
+  folder.write("good.csv", "lambda_nm,-50,-49\n500,1,2\n510,0.3,4\n");
+  folder.write("bad.csv", "lambda_nm,-50,-49\n500,1,2\n510,0.303,4\n");
+  const Outcome outcome = folder.shedlight("validate bad.csv good.csv --max-error 1e-6");
+  INFO(outcome.out << outcome.err);
+  CHECK(outcome.exit_code == 1);
+  CHECK_THAT(outcome.out, Catch::Contains("at 510 nm, -50 deg (0.303 against 0.3)"));
+}
+
+TEST_CASE("two rows swapped fail a validation, with and without their labels", "[cli][validate]") {
+  const Scratch folder;
+  folder.write("good.csv", csv);
+  folder.write("values.csv", "lambda_nm,-50,-49\n500,3,4\n510,1,2\n");
+  folder.write("rows.csv", "lambda_nm,-50,-49\n510,3,4\n500,1,2\n");
+  folder.write("long.csv",
+               "lambda_nm,theta_r_deg,value\n510,-50,3\n510,-49,4\n500,-50,1\n500,-49,2\n");
+  for (const auto& [file, named] :
+       {std::pair("values.csv", "at 500 nm, -50 deg"),
+        std::pair("rows.csv", "lambda_nm 510 stands where good.csv has 500"),
+        std::pair("long.csv", "lambda_nm 510 stands where good.csv has 500")}) {
+    const Outcome outcome =
+        folder.shedlight(std::string("validate ") + file + " good.csv --max-error 1.5");
+    INFO(file << ": " << outcome.out << outcome.err);
+    CHECK(outcome.exit_code == 1);
+    CHECK_THAT(outcome.out, Catch::Contains("FAILED") && Catch::Contains(named));
+  }
+}
+
+TEST_CASE("what is no response is refused, not judged", "[cli][validate]") {
+  const Scratch folder;
+  folder.write("good.csv", csv);
+  for (const std::string text :
+       {"", "wavelength,1\n", "lambda_nm,-50,-49\n500,1\n510,3,4\n",
+        "lambda_nm,-50,-49\n500,1,abc\n510,3,4\n", "lambda_nm,-50,-49\nnan,1,2\n510,3,4\n"}) {
+    folder.write("bad.csv", text);
+    check_refused(folder, "validate bad.csv good.csv --max-error 1e9", 3, {"bad.csv"});
+  }
+}
+
+TEST_CASE("axes written with fewer digits are the same axes", "[cli][validate]") {
+  const Scratch folder;
+  folder.write("a.csv", "lambda_nm,-50.1,-49.1\n500,1,2\n510,3,4\n");
+  folder.write("b.csv", "lambda_nm,-50.1000001,-49.1\n500.000001,1,2\n510,3,4\n");
+  CHECK(validate(folder, "0").exit_code == 0);
+  folder.write("b.csv", "lambda_nm,-50.10001,-49.1\n500,1,2\n510,3,4\n");
+  check_refused(folder, "validate a.csv b.csv --max-error 1e9", 3, {"a.csv", "b.csv", "axes"});
 }
 
 TEST_CASE("responses on different axes are not compared", "[cli][validate]") {

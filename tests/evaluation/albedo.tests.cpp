@@ -1,0 +1,160 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <complex>
+
+#include "evaluation/albedo.h"
+#include "tests/support/albedo.h"
+#include "tests/support/is_error.h"
+#include "tests/support/surfaces.h"
+#include "tests/support/worst_error.h"
+
+using brdf::Angle;
+using brdf::Length;
+using brdf::SurfaceModel;
+using evaluation::AlbedoQuadrature;
+
+namespace {
+
+/// An amplitude of a function of the query.
+template <class Function>
+class Given final : public evaluation::Amplitude {
+ public:
+  explicit Given(Function function, double error_bound = 0)
+      : function_(function), error_bound_(error_bound) {}
+  void evaluate(std::span<const brdf::Query> queries,
+                std::span<std::complex<double>> amplitudes) const override {
+    for (std::size_t i = 0; i < queries.size(); ++i) amplitudes[i] = function_(queries[i]);
+  }
+  brdf::PlanReport report() const override { return {.error_bound = error_bound_}; }
+
+ private:
+  Function function_;
+  double error_bound_;
+};
+
+brdf::HeightField flat(Eigen::Index pixels, double pixel_um) {
+  return sampled(pixels, pixels, pixel_um, pixel_um, [](double, double) { return 0.0; });
+}
+
+evaluation::Optics optics_of(const brdf::Surface& surface) {
+  return {brdf::Quantity::brdf, coherence_area_um2(surface)};
+}
+
+/// A flat patch under an infinite Gaussian window, by its closed form.
+auto gaussian_lobe(double sigma_um) {
+  return [sigma_um](const brdf::Query& q) {
+    return std::complex<double>(std::exp(-(q.qx_per_um * q.qx_per_um + q.qy_per_um * q.qy_per_um) *
+                                         sigma_um * sigma_um / 2));
+  };
+}
+
+}  // namespace
+
+TEST_CASE("the albedo of a flat patch under a Gaussian window is the one in the tables",
+          "[albedo][oracle]") {
+  // Computed outside this project, sigma_s = 16.25 um, 550 nm; printed to six decimals.
+  const brdf::HeightField field = flat(4, 1);
+  const brdf::Surface surface{&field, brdf::GaussianWindow(Length::um(16.25)),
+                              SurfaceModel::periodic};
+  const Given amplitude(gaussian_lobe(16.25));
+  const std::pair<double, double> cases[] = {
+      {0, 1.000014}, {30, 1.000021}, {60, 1.000102}, {75, 1.001002}, {85, 0.898572}};
+  for (const auto& [theta, expected] : cases) {
+    const AlbedoQuadrature quadrature(surface, brdf::direction(Angle::deg(theta), Angle::deg(37)),
+                                      Length::nm(550));
+    const evaluation::DirectionalAlbedo found =
+        quadrature.integrate(amplitude, optics_of(surface), {});
+    INFO(theta << " deg, " << found.directions << " directions");
+    CHECK(std::abs(found.value - expected) <= 6e-7);
+    CHECK(found.is_physical() == (theta != 75));
+  }
+}
+
+TEST_CASE("the albedo of an isolated flat patch is the one in the tables", "[albedo][oracle]") {
+  // Printed to five decimals for a patch of 65 um; pixels of 0.125 um let the spectrum of its hard
+  // edges repeat itself, which is below that.
+  const brdf::HeightField field = flat(520, 0.125);
+  const brdf::Surface surface{&field, brdf::GaussianWindow(Length::um(16.25)),
+                              SurfaceModel::isolated};
+  const AlbedoQuadrature quadrature(surface, brdf::direction(Angle::deg(60), Angle{}),
+                                    Length::nm(550));
+  const auto plan = evaluation::method_named("chebyshev")
+                        .plan(surface, quadrature.bounds(1e-9), evaluation::MethodSettings{});
+  const auto found = quadrature.integrate(*plan, optics_of(surface), {.threads = 2});
+  CHECK(std::abs(found.value - 1.00001) <= 1e-5);
+  CHECK(found.error_bound <= 1e-5);
+}
+
+TEST_CASE("the albedo of lobes in many directions equals an integral line by line",
+          "[albedo][oracle]") {
+  // A patch of few wavelengths, so that the other rule is quick; its lobes reach the horizon.
+  const double sigma_um = 1.5, lambda_um = 0.6;
+  const brdf::HeightField field = flat(40, 0.25);
+  const brdf::Surface surface{&field, brdf::GaussianWindow(Length::um(sigma_um)),
+                              SurfaceModel::periodic};
+  const double k = 2 * brdf::pi / lambda_um;
+  const auto along_x = [&](double u) {
+    const auto lobe = [&](double centre) {
+      return std::exp(-std::pow(k * sigma_um * (u - centre), 2) / 2);
+    };
+    return 0.8 * lobe(0) + 0.5 * lobe(0.4) + 0.3 * lobe(0.95);
+  };
+  const auto along_y = [&](double v) { return std::exp(-std::pow(k * sigma_um * v, 2) / 2); };
+  const Given amplitude([&](const brdf::Query& q) {
+    // A query is k (-omega_i - omega_r); the other rule counts u along omega_i + omega_r.
+    return std::complex<double>(along_x(-q.qx_per_um / k) * along_y(-q.qy_per_um / k));
+  });
+  for (const double theta : {0.0, 20.0, 65.0}) {
+    const brdf::Direction light = brdf::direction(Angle::deg(theta), Angle{});
+    const AlbedoQuadrature quadrature(surface, light, Length::um(lambda_um));
+    const double found = quadrature.integrate(amplitude, optics_of(surface), {}).value;
+    const double expected =
+        albedo_of_separable(light, along_x, along_y, [&](const brdf::Direction& viewer) {
+          return brdf::brdf_gain(light, viewer, Length::um(lambda_um), coherence_area_um2(surface));
+        });
+    INFO(theta << " deg: " << found << " against " << expected);
+    // The lines' rule is the coarser: midpoints across a rim where 1 / cos ends.
+    CHECK(std::abs(found - expected) <= 2e-5 * expected);
+  }
+}
+
+TEST_CASE("an error of the amplitude moves the albedo by no more than its bound", "[albedo]") {
+  const brdf::HeightField field = flat(4, 1);
+  const brdf::Surface surface{&field, brdf::GaussianWindow(Length::um(3)), SurfaceModel::periodic};
+  const AlbedoQuadrature quadrature(surface, brdf::direction(Angle::deg(40), Angle{}),
+                                    Length::nm(500));
+  const auto lobe = gaussian_lobe(3);
+  const double exact = quadrature.integrate(Given(lobe), optics_of(surface), {}).value;
+  for (const double error : {1e-2, 1e-4, 1e-9}) {
+    // In phase with the amplitude everywhere.
+    const Given off([&](const brdf::Query& q) { return lobe(q) + error; }, error);
+    const auto found = quadrature.integrate(off, optics_of(surface), {});
+    INFO(error);
+    CHECK(found.value > exact);
+    CHECK(found.value - exact <= found.error_bound);
+  }
+}
+
+TEST_CASE("the albedo is the same for any number of threads", "[albedo]") {
+  const brdf::HeightField field = sampled(
+      24, 24, 0.1, 0.1, [](double x, double y) { return 0.1 * std::sin(9 * x) * std::cos(5 * y); });
+  const brdf::Surface surface{&field, brdf::GaussianWindow(Length::um(0.6)),
+                              SurfaceModel::isolated};
+  const AlbedoQuadrature quadrature(surface, brdf::direction(Angle::deg(30), Angle{}),
+                                    Length::nm(500));
+  const auto plan = evaluation::method_named("direct").plan(surface, quadrature.bounds(1e-9), {});
+  const double one = quadrature.integrate(*plan, optics_of(surface), {.threads = 1}).value;
+  CHECK(one > 0.5);
+  CHECK(one == quadrature.integrate(*plan, optics_of(surface), {.threads = 5}).value);
+}
+
+TEST_CASE("a surface too wide for its albedo is refused before memory is taken", "[albedo]") {
+  const brdf::HeightField field = flat(100, 0.5);
+  const brdf::Surface surface{&field,
+                              brdf::GaussianWindow(Length::um(5)),
+                              SurfaceModel::replicated,
+                              brdf::Origin::patch_centre,
+                              {1000, 1000}};
+  CHECK_ERROR(AlbedoQuadrature(surface, brdf::direction(Angle{}, Angle{}), Length::nm(500)),
+              brdf::Errc::over_limit, "1e9");
+}
