@@ -53,6 +53,7 @@ int run(int argc, char** argv) {
   apps::add_map(app);
   apps::add_bake(app);
   apps::add_render(app);
+  apps::add_stability(app);
   apps::add_validate(app);
   require_known_command(app, argc, argv);
   try {

@@ -16,6 +16,7 @@ void add_colour(CLI::App& app);
 void add_map(CLI::App& app);
 void add_bake(CLI::App& app);
 void add_render(CLI::App& app);
+void add_stability(CLI::App& app);
 void add_validate(CLI::App& app);
 
 }  // namespace apps
