@@ -55,6 +55,7 @@ int run(int argc, char** argv) {
   apps::add_render(app);
   apps::add_albedo(app);
   apps::add_tradeoff(app);
+  apps::add_stability(app);
   apps::add_validate(app);
   require_known_command(app, argc, argv);
   try {

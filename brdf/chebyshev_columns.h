@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "brdf/chebyshev_design.h"
+#include "brdf/pq_factors.h"
 #include "brdf/term_table.h"
 
 namespace brdf {
@@ -34,19 +35,24 @@ struct SummedWeights {
 };
 
 /// Illumination times exp(i q x) of the axis that is summed away, over its copies; sum of g 1.
+/// Evenly lit copies are those of the middle tile times their PQ factor, any number of them.
 inline SummedWeights summed_weights(const ChebyshevDesign& design, int index) {
   const SurfaceAxis& axis = design.axis(index);
   const double q_per_um = index == 0 ? design.bounds().lo.qx_per_um : design.bounds().lo.qy_per_um;
-  const double norm = window_sums(design.surface(), axis).g;
+  const bool replicated = design.surface().model == SurfaceModel::replicated;
+  const double factor =
+      (replicated ? pq_factor(axis.cycles(q_per_um), axis.copies()) * axis.copies() : 1.0) /
+      window_sums(design.surface(), axis).g;
+  const SurfaceAxis summed = replicated ? axis.middle_tile(design.centre_um(index)) : axis;
   SummedWeights weights;
   for (Eigen::Index pixel = 0; pixel < axis.count; ++pixel) {
     std::complex<double> weight = 0;
-    for (int copy = axis.first_copy; copy <= axis.last_copy; ++copy) {
-      const double x_um = axis.position_um(pixel, copy);
+    for (int copy = summed.first_copy; copy <= summed.last_copy; ++copy) {
+      const double x_um = summed.position_um(pixel, copy);
       weight += std::polar(illumination(design.surface(), x_um), q_per_um * x_um);
     }
-    weights.re.push_back(weight.real() / norm);
-    if (q_per_um != 0) weights.im.push_back(weight.imag() / norm);
+    weights.re.push_back(weight.real() * factor);
+    if (q_per_um != 0) weights.im.push_back(weight.imag() * factor);
   }
   return weights;
 }

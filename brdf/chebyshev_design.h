@@ -18,6 +18,7 @@
 namespace brdf {
 
 /// Makes the decisions. Everything follows from surface and bounds; nothing from threads.
+/// Errc::over_limit: beyond max_depth_rad, unless the direct sum may be used.
 class ChebyshevDesign {
  public:
   ChebyshevDesign(const Surface& surface, const QueryBounds& bounds,
@@ -30,17 +31,32 @@ class ChebyshevDesign {
         tolerance_(std::clamp(bounds.tolerance, 1e-15, 1.0)),
         c_mid_per_um_(std::midpoint(bounds.lo.c_per_um, bounds.hi.c_per_um)),
         c_half_per_um_((bounds.hi.c_per_um - bounds.lo.c_per_um) / 2),
-        terms_(c_half_per_um_ * surface.heights->half_range_um(), terms_share * tolerance_) {
+        terms_(depth_rad() <= max_depth_rad ? depth_rad() : 0, terms_share * tolerance_) {
+    const double phasors = static_cast<double>(surface.heights->heights_um().size()) +
+                           axes_[0].points() + axes_[1].points();
+    const double direct_s = direct_pixel_s * phasors, count = static_cast<double>(bounds.count);
+    if (depth_rad() > max_depth_rad) {
+      if (settings.small_requests != SmallRequests::by_direct_sum)
+        throw Error(Errc::over_limit, "the phase of the relief varies by " + text(2 * depth_rad()) +
+                                          " rad over the request: a Chebyshev series is made for "
+                                          "up to " +
+                                          text(2 * max_depth_rad) +
+                                          "; ask for a narrower range, or for the direct sum");
+      use_direct_sum(direct_s);
+      return;
+    }
     const bool one_qx = bounds.lo.qx_per_um == bounds.hi.qx_per_um;
     const bool one_qy = bounds.lo.qy_per_um == bounds.hi.qy_per_um;
     // Folded weights along an oblique line do not exist for a periodic lattice.
-    parts_.projected = bounds.line && !one_qx && !one_qy && surface.model != SurfaceModel::periodic;
-    parts_.path = one_qx || one_qy || parts_.projected ? SeriesPath::in_plane : SeriesPath::general;
+    const bool carriable = std::abs(carrier_rad()) <= max_carrier_rad;
+    parts_.projected =
+        bounds.line && !one_qx && !one_qy && carriable && surface.model != SurfaceModel::periodic;
+    const bool in_plane = (one_qx || one_qy || parts_.projected) && carriable;
+    parts_.path = in_plane ? SeriesPath::in_plane : SeriesPath::general;
     // Modes save terms at every tap and cost degrees x terms / 16 products a query: worth while
     // where a query reads a square of taps.
     if (parts_.path == SeriesPath::general && terms_.degrees() <= TermTable<double>::max_degrees) {
-      ChebyshevTerms modes(c_half_per_um_ * surface.heights->half_range_um(),
-                           terms_share * tolerance_, SeriesBasis::modes);
+      ChebyshevTerms modes(depth_rad(), terms_share * tolerance_, SeriesBasis::modes);
       if (modes.degrees() <= TermTable<double>::max_degrees && modes.count() < terms_.count())
         terms_ = std::move(modes);
     }
@@ -48,7 +64,7 @@ class ChebyshevDesign {
     terms_norm_ = terms_.norm();
     if (parts_.path == SeriesPath::in_plane)
       carried_.emplace(terms_, carrier_rad(), carrier_share * tolerance_);
-    inner_axis_ = one_qy || parts_.projected ? 0 : 1;
+    inner_axis_ = in_plane && (one_qy || parts_.projected) ? 0 : 1;
     choose_grid(parts_.path == SeriesPath::general ? general_oversampling : in_plane_oversampling);
     if (parts_.path == SeriesPath::general) {
       // A finer grid saves a tap in each direction; it pays where many queries come.
@@ -56,9 +72,6 @@ class ChebyshevDesign {
       choose_grid(general_oversampling_for_many);
       if (!(expected_s() < coarse.expected_s())) *this = coarse;
     }
-    const double direct_s =
-                     direct_pixel_s * static_cast<double>(surface.heights->heights_um().size()),
-                 count = static_cast<double>(bounds.count);
     if (settings.small_requests == SmallRequests::by_direct_sum && count * direct_s < expected_s())
       use_direct_sum(direct_s);
   }
@@ -97,6 +110,15 @@ class ChebyshevDesign {
                       axis.origin);
   }
 
+  /// Half of the change of c over the request, times half of the range of heights [rad]: the x of
+  /// the series in T_n.
+  double depth_rad() const { return c_half_per_um_ * surface_.heights->half_range_um(); }
+
+  /// The coefficients of deeper series take minutes: their cost grows with the cube, 0.3 s at 1000.
+  static constexpr double max_depth_rad = 1000;
+  /// A larger carrier is multiplied out at every pixel (the general path): as a polynomial its
+  /// coefficients take its square, half a minute and half a gigabyte at 1e4.
+  static constexpr double max_carrier_rad = 1000;
   /// Partial sums of a projection: never more than this many strips of rows.
   static constexpr std::size_t line_strips = 32;
 

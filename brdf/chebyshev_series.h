@@ -37,7 +37,7 @@ class ChebyshevSeriesPlan {
     for (int index : {0, 1}) {
       const SurfaceAxis& axis = design.axis(index);
       const bool summed = parts_.axes[index].fft_length == 0 && !line_;
-      copies_[index] = {summed ? 1 : 1 + axis.last_copy - axis.first_copy, axis};
+      copies_[index] = {summed ? 1 : axis.copies(), axis};
     }
     replicated_ = design.surface().model == SurfaceModel::replicated && !direct_;
   }
@@ -126,7 +126,8 @@ class ChebyshevSeriesPlan {
 /// plane: two products per pixel and degree (CarriedTerms), then width x R products per query; else
 /// R 2-D transforms, then width^2 x R products per query. Results depend on the query and the plan
 /// only, to the last bit, whatever the batch or threads. Errc::invalid_argument: a tolerance that
-/// is not > 0. Sources: Jacobi-Anger; Barnett, Magland, af Klinteberg (SIAM J. Sci. Comput. 41,
+/// is not > 0. Errc::over_limit: beyond ChebyshevDesign::max_depth_rad, where the direct sum may
+/// not be used. Sources: Jacobi-Anger; Barnett, Magland, af Klinteberg (SIAM J. Sci. Comput. 41,
 /// 2019).
 class ChebyshevSeries {
  public:

@@ -18,8 +18,8 @@ class DirectSumPlan {
                 const PhaseKernels& kernels = portable_phase_kernels)
       : kernels_(kernels),
         surface_(surface),
-        x_(x_axis(surface)),
-        y_(y_axis(surface)),
+        x_(summable(x_axis(surface))),
+        y_(summable(y_axis(surface))),
         norm_(window_sums(surface, x_).g * window_sums(surface, y_).g),
         input_phase_error_rad_(input_phase_error_rad(*surface.heights, bounds)),
         max_phase_rad_(max_phase(bounds)),
@@ -38,10 +38,26 @@ class DirectSumPlan {
   /// Rounding alone: about 2 eps times the largest phase.
   PlanReport report() const {
     return {2 * std::numeric_limits<double>::epsilon() * std::max(1.0, max_phase_rad_),
-            input_phase_error_rad_, 0, 0, 0};
+            input_phase_error_rad_, 0, 0, bytes(x_, y_)};
   }
 
+  /// Bytes of the positions and the illumination along both axes.
+  static std::size_t bytes(const SurfaceAxis& x, const SurfaceAxis& y) {
+    return static_cast<std::size_t>(x.points() + y.points()) * 2 * sizeof(double);
+  }
+
+  /// Pixels along an axis, all repetitions counted: a gigabyte of positions.
+  static constexpr double max_axis_points = 1 << 26;
+
  private:
+  static SurfaceAxis summable(const SurfaceAxis& axis) {
+    if (axis.points() > max_axis_points)
+      throw Error(Errc::over_limit, "a direct sum over " + text(axis.points()) +
+                                        " pixels along an axis: the limit is " +
+                                        text(max_axis_points));
+    return axis;
+  }
+
   /// Per pixel of an axis: sum over its repetitions of g(x) exp(i q x).
   struct Weights {
     std::vector<double> re, im;
@@ -108,14 +124,17 @@ class DirectSumPlan {
 /// Not a transform and not a series: the oracle of every other method. For the periodic model the
 /// sum over the repetitions is taken per axis first, which only reorders it.
 /// Error: rounding, about 2 eps times the largest phase; measured against sums made elsewhere in
-/// direct_sum.tests.cpp. Cost: one sine and cosine per pixel and query.
+/// direct_sum.tests.cpp. Cost: one sine and cosine per pixel and query. Errc::over_limit: more than
+/// max_axis_points pixels along an axis, all repetitions counted.
 class DirectSum {
  public:
   /// kernels: portable_phase_kernels, or the vectorised ones of shedlight::kernels.
   explicit DirectSum(const PhaseKernels& kernels = portable_phase_kernels) : kernels_(kernels) {}
 
   static bool supports(SurfaceModel) { return true; }
-  static std::size_t bytes(const Surface&, const QueryBounds&) { return 0; }
+  static std::size_t bytes(const Surface& surface, const QueryBounds&) {
+    return DirectSumPlan::bytes(x_axis(surface), y_axis(surface));
+  }
   DirectSumPlan plan(const Surface& surface, const QueryBounds& bounds) const {
     return {surface, bounds, kernels_};
   }

@@ -52,6 +52,13 @@ struct SurfaceAxis {
   int first_copy, last_copy;  ///< repetitions: 0 to 0 for an isolated patch
 
   double length_um() const { return pixel_um * static_cast<double>(count); }
+  int copies() const { return 1 + last_copy - first_copy; }
+  /// Pixels of all repetitions.
+  double points() const { return static_cast<double>(count) * copies(); }
+  /// The tile around the centre of all copies, which lies at centre_um.
+  SurfaceAxis middle_tile(double centre_um) const {
+    return {count, pixel_um, static_cast<double>(count - 1) / 2 - centre_um / pixel_um, 0, 0};
+  }
   /// Cycles that exp(i q x) makes along the patch: the place of q among its Fourier bins.
   double cycles(double q_per_um) const { return q_per_um / (2 * pi) * length_um(); }
 
@@ -101,6 +108,7 @@ struct WindowSums {
 };
 
 inline WindowSums window_sums(const Surface& surface, const SurfaceAxis& axis) {
+  if (surface.model == SurfaceModel::replicated) return {axis.points(), axis.points()};
   WindowSums sums{0, 0};
   for (int copy = axis.first_copy; copy <= axis.last_copy; ++copy)
     for (Eigen::Index index = 0; index < axis.count; ++index) {

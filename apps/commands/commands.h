@@ -18,6 +18,7 @@ void add_albedo(CLI::App& app);
 void add_bake(CLI::App& app);
 void add_render(CLI::App& app);
 void add_tradeoff(CLI::App& app);
+void add_stability(CLI::App& app);
 void add_validate(CLI::App& app);
 
 }  // namespace apps

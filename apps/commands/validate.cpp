@@ -1,9 +1,10 @@
-// shedlight validate: two responses held against each other.
+// shedlight validate: two responses held against each other, or the program against closed forms.
 #include <fmt/format.h>
 
 #include <memory>
 #include <optional>
 
+#include "apps/check_table.h"
 #include "apps/colour_warnings.h"
 #include "apps/commands/commands.h"
 #include "apps/console.h"
@@ -14,14 +15,17 @@
 #include "evaluation/npy.h"
 #include "evaluation/readers/file_bytes.h"
 #include "evaluation/response_difference.h"
+#include "evaluation/self_check.h"
 
 namespace apps {
 namespace {
 
 struct ValidateOptions {
   std::string file, reference;
-  double max_error = 0;
+  std::optional<double> max_error;
   std::optional<double> exposure;
+  bool self = false;
+  bool json = false;
 };
 
 evaluation::ResponseMatrix read(const std::string& file, evaluation::CsvContent content) {
@@ -57,15 +61,41 @@ void run_maps(const ValidateOptions& options) {
   print(fmt::format(
       "{}: CIEDE2000 at exposure {:.6g}: worst {:.3g} in light {}, row {}, column "
       "{}; mean {:.3g}, 99 % below {:.3g}, of {} pixels; allowed {:.3g}\n",
-      verdict(found.worst, options.max_error), *options.exposure, found.worst, found.light,
-      found.row, found.column, found.mean, found.percentile_99, found.pixels, options.max_error));
-  if (!(found.worst <= options.max_error)) throw ValidationFailed{};
+      verdict(found.worst, *options.max_error), *options.exposure, found.worst, found.light,
+      found.row, found.column, found.mean, found.percentile_99, found.pixels, *options.max_error));
+  if (!(found.worst <= *options.max_error)) throw ValidationFailed{};
+}
+
+/// The program itself.
+void run_self(const ValidateOptions& options) {
+  require_not_given({{!options.file.empty(), "response"},
+                     {!options.reference.empty(), "reference"},
+                     {options.max_error.has_value(), "--max-error"},
+                     {options.exposure.has_value(), "--exposure"}},
+                    "--self");
+  const std::vector<evaluation::CheckRow> rows = evaluation::self_check();
+  print(options.json ? table_json(rows).dump(2) + "\n" : table_for_people(rows));
+  if (!all_hold(rows)) throw ValidationFailed{};
+}
+
+void require_given(const ValidateOptions& options) {
+  const auto require = [](bool given, const char* what) {
+    if (!given)
+      throw brdf::Error(brdf::Errc::invalid_argument,
+                        std::string(what) + " is required, or --self (see --help)");
+  };
+  require(!options.file.empty(), "response");
+  require(!options.reference.empty(), "reference");
+  require(options.max_error.has_value(), "--max-error");
+  require_not_given({{options.json, "--json"}}, "responses and maps; it goes with --self");
 }
 
 void run(const ValidateOptions& options) {
-  if (!(options.max_error >= 0))
+  if (options.self) return run_self(options);
+  require_given(options);
+  if (!(*options.max_error >= 0))
     throw brdf::Error(brdf::Errc::invalid_argument,
-                      "--max-error " + brdf::text(options.max_error) + ": must be >= 0");
+                      "--max-error " + brdf::text(*options.max_error) + ": must be >= 0");
   if (evaluation::is_npy(options.file) && evaluation::is_npy(options.reference))
     return run_maps(options);
   if (options.exposure)
@@ -82,9 +112,9 @@ void run(const ValidateOptions& options) {
   print(fmt::format(
       "{}: largest difference {:.3g} at {} nm, {} deg ({:.6g} against {:.6g}); "
       "allowed {:.3g}\n",
-      verdict(worst, options.max_error), worst, reference.lambda_nm[row],
-      reference.theta_r_deg[column], value(response), value(reference), options.max_error));
-  if (!(worst <= options.max_error)) throw ValidationFailed{};
+      verdict(worst, *options.max_error), worst, reference.lambda_nm[row],
+      reference.theta_r_deg[column], value(response), value(reference), *options.max_error));
+  if (!(worst <= *options.max_error)) throw ValidationFailed{};
 }
 
 }  // namespace
@@ -94,22 +124,23 @@ void add_validate(CLI::App& app) {
   CLI::App* validate =
       app.add_subcommand("validate",
                          "Compare two responses, or two maps; exit 1 where they differ "
-                         "too much");
+                         "too much. --self: the program with closed forms");
   validate->footer(
       "Maps, the NPY files of map, are compared by CIEDE2000 at the exposure they are shown at.\n"
       "Example:\n"
       "  shedlight validate taylor.csv direct.csv --max-error 1e-6\n"
-      "  shedlight validate baked.npy map.npy --exposure 6460 --max-error 3");
+      "  shedlight validate baked.npy map.npy --exposure 6460 --max-error 3\n"
+      "  shedlight validate --self");
   add_parsed(validate, "response", options->file, parse_path,
-             "CSV of sweep or NPY of map, to be judged", "FILE")
-      ->required();
-  add_parsed(validate, "reference", options->reference, parse_path, "what to judge it by", "FILE")
-      ->required();
+             "CSV of sweep or NPY of map, to be judged", "FILE");
+  add_parsed(validate, "reference", options->reference, parse_path, "what to judge it by", "FILE");
   add_parsed(validate, "--max-error", options->max_error, parse_number,
-             "largest difference allowed in any cell, or CIEDE2000 in any pixel", "NUMBER")
-      ->required();
+             "largest difference allowed in any cell, or CIEDE2000 in any pixel", "NUMBER");
   add_parsed(validate, "--exposure", options->exposure, parse_exposure,
              "maps: factor of the light that they are shown at", "NUMBER");
+  validate->add_flag("--self", options->self,
+                     "check the program against closed forms and identities instead");
+  validate->add_flag("--json", options->json, "with --self: the table as JSON");
   validate->callback([options] { run(*options); });
 }
 

@@ -15,6 +15,7 @@
 #include "brdf/direct_sum.h"
 #include "brdf/height_field.h"
 #include "tests/support/amplitudes.h"
+#include "tests/support/is_error.h"
 
 using namespace brdf;
 
@@ -254,4 +255,70 @@ TEST_CASE("a tolerance that is not positive and queries outside the bounds are r
   Amplitudes one(1);
   for (const Query& outside : {Query{99, 0, -10}, Query{0, 0, -99}, Query{std::nan(""), 0, -10}})
     CHECK_THROWS_AS(plan.evaluate(std::span(&outside, 1), one), Error);
+}
+
+TEST_CASE("reliefs of hundreds of micrometres keep the tolerance in every plane",
+          "[chebyshev_series][crossover]") {
+  // From 50 um on the carrier is multiplied out at the pixels: c_mid r passes 1000 rad.
+  for (const double height_um : {40.0, 60.0, 400.0}) {
+    const HeightField unit = relief(Relief::rough, 6, 7);
+    const HeightField field(HeightArray(unit.heights_um() * (height_um / 0.4)), Length::um(0.1),
+                            Length::um(0.12));
+    for (const SurfaceModel model :
+         {SurfaceModel::isolated, SurfaceModel::periodic, SurfaceModel::replicated})
+      for (const Frequencies frequencies :
+           {Frequencies::along_x, Frequencies::along_y, Frequencies::general}) {
+        CAPTURE(height_um, static_cast<int>(model), static_cast<int>(frequencies));
+        std::vector<Query> queries = random_queries(frequencies, 20);
+        for (Query& q : queries) q.c_per_um = -42 - q.c_per_um / 30;  // within 3 %
+        const Surface surface = surface_of(field, model, 0.3);
+        const ChebyshevSeriesPlan plan =
+            ChebyshevSeries(portable_kernels, {.small_requests = SmallRequests::by_series})
+                .plan(surface, bounds_of(queries, 1e-9));
+        CHECK(plan.explain().path != SeriesPath::direct_sum);
+        CHECK(plan.report().error_bound <= 1e-9);
+        // The direct sum's own rounding: 2 eps times 2e4 rad.
+        CHECK(largest_difference(amplitudes_of(plan, queries),
+                                 amplitudes_of(DirectSum{}.plan(surface, many(queries, 1)),
+                                               queries)) <= 1e-9 + 1e-11);
+      }
+  }
+}
+
+TEST_CASE("a phase that varies too much over the request is left to the direct sum, or refused",
+          "[chebyshev_series][crossover]") {
+  const HeightField field(HeightArray(relief(Relief::rough, 6, 7).heights_um() * 1000),
+                          Length::um(0.1), Length::um(0.12));
+  const Surface surface = surface_of(field, SurfaceModel::isolated);
+  const QueryBounds bounds{{-1, -1, -30}, {1, 1, -10}, 100'000'000, 1e-6};
+  CHECK(ChebyshevSeries{}.plan(surface, bounds).explain().path == SeriesPath::direct_sum);
+  CHECK_ERROR(ChebyshevSeries(portable_kernels, {.small_requests = SmallRequests::by_series})
+                  .plan(surface, bounds),
+              Errc::over_limit, "up to 2000");
+}
+
+TEST_CASE("copies along an axis of one frequency are many at no cost",
+          "[chebyshev_series][oracle]") {
+  const HeightField field = relief(Relief::blazed, 5, 7);
+  const Surface surface{&field,
+                        GaussianWindow(Length::um(1)),
+                        SurfaceModel::replicated,
+                        Origin::patch_centre,
+                        {1, 1'000'000'000}};
+  Surface tile = surface;
+  tile.replicas = {1, 1};
+  // At whole cycles of the tile all copies add up, an odd order of an even number with a minus.
+  for (const int order : {0, 3}) {
+    const double qy = 2 * pi * order / field.height_um();
+    const std::vector<Query> queries{{1.3, qy, -20}, {-4, qy, -15}};
+    Amplitudes expected = amplitudes_of(DirectSum{}.plan(tile, many(queries, 1)), queries);
+    if (order % 2 != 0)
+      for (std::complex<double>& a : expected) a = -a;
+    const Amplitudes found = amplitudes_of(
+        ChebyshevSeries(portable_kernels, {.small_requests = SmallRequests::by_series})
+            .plan(surface, bounds_of(queries, 1e-10)),
+        queries);
+    // 1e9 copies turn by the rounding of the frequency, 4e-16 of 3 cycles: 4e-6 rad at the ends.
+    CHECK(largest_difference(found, expected) <= 1e-10 + 1e-10 * order);
+  }
 }

@@ -4,6 +4,7 @@
 
 #include "brdf/grating_equation.h"
 #include "tests/support/amplitudes.h"
+#include "tests/support/is_error.h"
 #include "tests/support/oracle_table.h"
 #include "tests/support/random_inputs.h"
 #include "tests/support/surfaces.h"
@@ -205,4 +206,21 @@ TEST_CASE("amplitudes do not depend on the queries beside them", "[direct_sum][i
   const Amplitudes together = amplitudes(DirectSum{}, surface, queries);
   for (std::size_t i = 0; i < queries.size(); ++i)
     REQUIRE(amplitude(DirectSum{}, surface, queries[i]) == together[i]);
+}
+
+TEST_CASE("a direct sum over more copies than there is room for is refused",
+          "[direct_sum][invariant]") {
+  const HeightField field(brdf::HeightArray::Zero(2, 3), Length::um(0.1), Length::um(0.1));
+  const auto copies = [&](int x, int y) {
+    return Surface{&field,
+                   GaussianWindow(Length::um(1)),
+                   SurfaceModel::replicated,
+                   brdf::Origin::patch_centre,
+                   {x, y}};
+  };
+  const brdf::QueryBounds bounds{{0, 0, -30}, {1, 1, -10}, 5, 1e-6};
+  CHECK_ERROR(DirectSum{}.plan(copies(1'000'000'000, 1), bounds), brdf::Errc::over_limit, "3e+09");
+  CHECK_ERROR(DirectSum{}.plan(copies(1, 40'000'000), bounds), brdf::Errc::over_limit, "8e+07");
+  // A position and an illumination for each pixel of an axis.
+  CHECK(DirectSum::bytes(copies(5, 1000), bounds) == (15 + 2000) * 2 * sizeof(double));
 }

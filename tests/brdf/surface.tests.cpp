@@ -105,3 +105,18 @@ TEST_CASE("a patch far smaller than the window is its own coherent area", "[surf
   // g differs from 1 by (1.5 / 1e4)^2 / 2 = 1e-8, and the area by the variance of that.
   CHECK(std::abs(brdf::coherence_area_um2(surface) / 3.0 - 1) <= 1e-15);
 }
+
+TEST_CASE("the coherent area of copies is their area, however many", "[surface][oracle]") {
+  const HeightField field = flat(3, 4, 0.5, 0.25);
+  for (const int copies : {1, 7, 1'000'000'000}) {
+    CAPTURE(copies);
+    const Surface surface{&field,
+                          GaussianWindow(Length::um(1)),
+                          SurfaceModel::replicated,
+                          Origin::patch_centre,
+                          {copies, copies}};
+    CHECK(brdf::x_axis(surface).copies() == copies);
+    // Four products of it round.
+    CHECK(std::abs(brdf::coherence_area_um2(surface) / (1.5 * copies * copies) - 1) <= 1e-15);
+  }
+}

@@ -237,3 +237,19 @@ TEST_CASE("a tolerance beyond every number of terms is refused by its phase dept
   CHECK_ERROR(TaylorSeries{}.plan(surface, {{0, 0, -32}, {1, 1, -20}, 1, 1e-6}),
               Errc::not_attainable, "3200 rad");
 }
+
+TEST_CASE("a phase depth whose rounding exceeds the peak is refused, one below it owned up to",
+          "[taylor_series][crossover]") {
+  const HeightField field = blazed();  // heights 0.3 um peak to valley, sampled short of it
+  const Surface surface = under_quarter_window(field);
+  const auto bounds = [&](double depth_rad) {
+    const double c = depth_rad / (2 * field.half_range_um());
+    return QueryBounds{{0, 0, -c}, {1, 1, -c}, 1, 1e-6};
+  };
+  // e^x 2^-53 = 1 at x = 36.74.
+  CHECK_ERROR(TaylorSeries{}.plan(surface, bounds(73.6)), Errc::not_attainable, "phase depth 73.6");
+  CHECK_ERROR(TaylorSeries{}.plan(surface, bounds(1500)), Errc::not_attainable, "no digit");
+  CHECK(TaylorSeries{}.plan(surface, bounds(73.4)).report().error_bound >= 0.8);
+  CHECK(TaylorSeries{}.plan(surface, bounds(50)).report().error_bound >= 5e-6);
+  CHECK(TaylorSeries{}.plan(surface, bounds(40)).report().error_bound <= 1e-6);
+}

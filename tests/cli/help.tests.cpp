@@ -6,7 +6,7 @@ TEST_CASE("help at every level exits 0 and shows a worked example", "[cli][help]
   const Scratch folder;
   for (const std::string command :
        {"", "synth ", "info ", "precompute ", "sweep ", "peaks ", "period ", "plot ", "colour ",
-        "map ", "bake ", "render ", "albedo ", "tradeoff ", "validate "}) {
+        "map ", "bake ", "render ", "albedo ", "tradeoff ", "stability ", "validate "}) {
     for (const std::string help : {"--help", "-h"}) {
       const Outcome outcome = folder.shedlight(command + help);
       INFO(command << help);
@@ -41,9 +41,10 @@ TEST_CASE("an unknown subcommand or option is named and refused", "[cli][refusal
         "sweep x.png --theta-i 75deg --theta-r -5deg --lambda 1um", "peaks R.csv", "period R.csv",
         "precompute x.png --terms 3 -o older.csv", "plot R.csv -o older.csv", "colour R.csv",
         "map x.png --theta-i 1deg -o older.csv", "bake x.png -o older.csv",
-        "render x.png --light 1deg,0deg -o older.csv", "validate a.csv b.csv --max-error 1",
         "albedo x.png --theta-i 1deg --lambda 1um -o older.csv",
-        "tradeoff x.png --theta-i 1deg --theta-r 1deg --lambda 1um -o older.csv"})
+        "tradeoff x.png --theta-i 1deg --theta-r 1deg --lambda 1um -o older.csv",
+        "render x.png --light 1deg,0deg -o older.csv", "stability -o older.csv",
+        "validate a.csv b.csv --max-error 1"})
     check_refused(folder, command + " --frobnicate", 2, {"--frobnicate"});
 }
 
@@ -65,6 +66,8 @@ TEST_CASE("a missing argument is named and refused", "[cli][refusal]") {
   check_refused(folder, "bake -o older.csv", 2, {"file"});
   check_refused(folder, "render g.gsf -o older.csv", 2, {"--light"});
   check_refused(folder, "validate a.csv b.csv", 2, {"--max-error"});
+  check_refused(folder, "validate a.csv --max-error 1", 2, {"reference"});
+  check_refused(folder, "validate --max-error 1", 2, {"response"});
   check_refused(folder, "synth blazed --period 1um --height 1um --size 9um --pixels 9", 2,
                 {"--output"});
 }

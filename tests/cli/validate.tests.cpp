@@ -140,3 +140,27 @@ TEST_CASE("the layouts of a response are valid against each other", "[cli][valid
                "lambda_nm,theta_r_deg,value\n500,-50,1\n500,-49,2\n510,-50,3\n510,-49,4\n");
   CHECK(validate(folder, "0").exit_code == 0);
 }
+
+TEST_CASE("the program checks itself", "[cli][validate]") {
+  const Scratch folder;
+  const Outcome outcome = folder.shedlight("validate --self");
+  INFO(outcome.out << outcome.err);
+  CHECK(outcome.exit_code == 0);
+  CHECK(outcome.err == "");
+  for (const std::string method : {"direct", "auto", "chebyshev", "taylor", "pq"})
+    CHECK_THAT(outcome.out, Catch::Contains(" " + method + " "));
+  CHECK_THAT(outcome.out, Catch::Contains("Gaussian") && Catch::Contains("energy") &&
+                              Catch::Contains("reciprocity") && Catch::Contains(" 0 FAILED"));
+  CHECK_THAT(folder.shedlight("validate --self --json").out,
+             Catch::StartsWith("[") && Catch::Contains("\"verdict\": \"ok\""));
+}
+
+TEST_CASE("what belongs to a comparison of files is refused beside --self", "[cli][validate]") {
+  const Scratch folder;
+  folder.write("a.csv", csv);
+  check_refused(folder, "validate a.csv --self", 2, {"response", "--self"});
+  check_refused(folder, "validate a.csv a.csv --self", 2, {"response", "--self"});
+  check_refused(folder, "validate --self --max-error 1", 2, {"--max-error", "--self"});
+  check_refused(folder, "validate --self --exposure 1", 2, {"--exposure", "--self"});
+  check_refused(folder, "validate a.csv a.csv --max-error 1 --json", 2, {"--json", "--self"});
+}
