@@ -68,6 +68,11 @@ Section heights(const Advice& advice, const AdviceScene& scene) {
   return section;
 }
 
+/// Nanometres without what only rounding leaves.
+std::string whole_picometres(double length_um) {
+  return fmt::format("{:.4g}", std::round(nm(length_um) * 1e3) / 1e3);
+}
+
 Section tilt(const Advice& advice) {
   const evaluation::TiltAdvice& found = advice.tilt;
   const bool is_tilted = found.verdict == evaluation::TiltVerdict::tilted;
@@ -85,7 +90,8 @@ Section tilt(const Advice& advice) {
            {"lobe_width", found.lobe_width.deg(), "deg", "",
             "full width at half maximum, at the mirror direction and the shortest wavelength"},
            {"rise", found.rise_um, "um",
-            fmt::format("rise {:.3g} um of {:.3g} um", found.rise_um, found.peak_to_valley_um),
+            fmt::format("rise {} nm of {} nm", whole_picometres(found.rise_um),
+                        whole_picometres(found.peak_to_valley_um)),
             "corner to corner, of peak to valley; most is > half"},
            {"peak_to_valley", found.peak_to_valley_um, "um", "", "of the heights with the plane"}}};
 }
@@ -137,8 +143,8 @@ Section spectrum(const Advice& advice) {
         {fmt::format("period_{}", section.findings.size()), period.period.um(), "um",
          fmt::format("{:.4g} um at {} deg, {:.4g} nm deep", period.period.um(),
                      angle_text(period.azimuth), nm(period.depth_um)),
-         fmt::format("variance {:.3g} %, {} background{}", 100 * period.share,
-                     std::isfinite(period.contrast) ? fmt::format("{:.1g} x", period.contrast)
+         fmt::format("share {:.3g} %, {} background{}", 100 * period.share,
+                     std::isfinite(period.contrast) ? fmt::format("{:.2g} x", period.contrast)
                                                     : std::string("no"),
                      harmonics_of(periods, i))});
   }

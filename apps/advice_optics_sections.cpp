@@ -174,10 +174,11 @@ Json case_json(const ScalarCase& at, const Advice& advice) {
 std::string case_reason(const ScalarCase& at) {
   if (at.limit.place == brdf::TablePlace::below)
     return "no strength is right below d/lambda = 1.63";
-  return fmt::format("depth/lambda {:.2g} sine, {:.2g} all; limit {:.3g}{}",
-                     at.component_over_lambda, at.peak_to_valley_over_lambda,
-                     at.limit.depth_over_lambda,
-                     at.limit.kind == brdf::LimitKind::untested ? " (deepest)" : "");
+  std::string limit =
+      fmt::format("h/lambda {:.2g} sine, {:.2g} all; limit {:.3g}", at.component_over_lambda,
+                  at.peak_to_valley_over_lambda, at.limit.depth_over_lambda);
+  if (at.limit.place == brdf::TablePlace::beyond) return limit + ", outside table";
+  return at.limit.kind == brdf::LimitKind::untested ? limit + ", deepest" : limit;
 }
 
 Section scalar(const Advice& advice, const AdviceScene& scene) {
@@ -199,8 +200,7 @@ Section scalar(const Advice& advice, const AdviceScene& scene) {
     const ScalarCase& at = found.cases[i];
     section.findings.push_back(
         {i == 0 ? "shortest" : "longest", name_in(scalar_words, at.verdict), "",
-         fmt::format("{:.4g} nm: d/lambda {:.3g}{}: {}", nm(at.lambda_um), at.period_over_lambda,
-                     at.limit.place == brdf::TablePlace::inside ? "" : " outside table",
+         fmt::format("{:.4g} nm: d/lambda {:.3g}: {}", nm(at.lambda_um), at.period_over_lambda,
                      name_in(scalar_words, at.verdict)),
          case_reason(at)});
   }

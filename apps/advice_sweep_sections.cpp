@@ -27,9 +27,9 @@ const Choices<StepsVerdict> steps_words{{"recommended", StepsVerdict::recommende
 std::string orders_sentence(OrdersVerdict verdict) {
   switch (verdict) {
     case OrdersVerdict::in_view:
-      return "other orders than the mirror's lie among the viewing angles";
+      return "other orders than the mirror's are in view: sin theta_r = m lambda/d - sin theta_i";
     case OrdersVerdict::out_of_view:
-      return "other orders go out of the plane of incidence, or of the viewing angles";
+      return "other orders go out of view: sin theta_r = m lambda/d - sin theta_i, or aside";
     case OrdersVerdict::mirror_only:
       return "no order but the mirror's propagates";
     case OrdersVerdict::no_period:
@@ -52,9 +52,9 @@ Json orders_json(const evaluation::OrdersOfPeriod& orders, const Advice& advice)
           {"nearest", nearest}};
 }
 
-/// ": +1 at -57.2, +2 at -48.3 deg", the first orders beside 0, as many as there is room for.
+/// "; +1 at -57.2, +2 at -48.3 deg", the first orders beside 0, as many as there is room for.
 std::string nearest_text(const evaluation::OrdersOfPeriod& orders) {
-  constexpr std::size_t room = 24;  // beside the formula
+  constexpr std::size_t room = 34;  // of the page's 56, after the condition
   std::vector<PropagatingOrder> shown;
   for (const PropagatingOrder& order : orders.nearest)
     if (order.order != 0) shown.push_back(order);
@@ -64,7 +64,7 @@ std::string nearest_text(const evaluation::OrdersOfPeriod& orders) {
                    });
   std::string text;
   for (const PropagatingOrder& order : shown) {
-    std::string next = fmt::format("{}{:+d} at {:.1f}", text.empty() ? ": " : ", ", order.order,
+    std::string next = fmt::format("{}{:+d} at {:.1f}", text.empty() ? "; " : ", ", order.order,
                                    order.theta_r.deg());
     // Less is what one decimal shows as 0.
     if (std::abs(order.out_of_plane.deg()) >= 0.05)
@@ -93,7 +93,7 @@ Section orders(const Advice& advice) {
          fmt::format("{:.4g} um, {:.4g} nm: m = {} to {}",
                      advice.surface.periods[orders.period].period.um(),
                      brdf::Length::um(orders.lambda_um).nm(), orders.first, orders.last),
-         "m lambda/d - sin theta_i" + nearest_text(orders)});
+         "|sin theta_r| <= 1" + nearest_text(orders)});
   }
   return section;
 }
@@ -162,9 +162,11 @@ Section method(const Advice& advice, const AdviceScene& scene) {
   const double seconds = found.plan.at("expected_seconds_one_thread").get<double>();
   const double bytes = found.plan.at("bytes").get<double>();
   const std::string path = found.plan.at("path").get<std::string>();
-  const std::string terms = found.plan.contains("terms")
-                                ? fmt::format("{} terms", found.plan.at("terms").get<int>())
-                                : std::string("every pixel");
+  std::string terms = "every pixel";
+  if (found.plan.contains("terms")) {
+    const int count = found.plan.at("terms").get<int>();
+    terms = fmt::format("{} term{}", count, count == 1 ? "" : "s");
+  }
   return {"method",
           "auto",
           fmt::format("auto: {}, {}, tolerance {:.3g}", path, terms, found.tolerance),

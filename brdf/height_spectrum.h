@@ -32,7 +32,7 @@ inline Eigen::ArrayXd smooth_window(Eigen::Index count) {
 /// window.
 ///
 /// A component a cos(2 pi f.x) has the power (a sum(w) / 2)^2 at its frequency. Cost: one transform
-/// of the grid; bytes() of memory while it is made, half of that after.
+/// of the grid, and bytes() while it is made.
 class HeightSpectrum {
  public:
   explicit HeightSpectrum(const HeightField& field)

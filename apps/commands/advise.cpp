@@ -7,6 +7,7 @@
 #include "apps/commands/commands.h"
 #include "apps/commands/illuminated_options.h"
 #include "apps/console.h"
+#include "apps/memory_limit.h"
 #include "apps/quantities.h"
 
 namespace apps {
@@ -28,6 +29,7 @@ struct AdviseOptions {
   brdf::Angle resolution = default_resolution;
   IlluminatedOptions illuminated;
   std::optional<evaluation::Axis> theta_r_deg, lambda_nm;
+  std::optional<std::size_t> memory_limit;
   bool json = false;
 };
 
@@ -129,6 +131,9 @@ std::string joined(const std::vector<std::string>& words) {
 void run(AdviseOptions options) {
   const evaluation::HeightFile input = options.heights.read();
   const evaluation::AdviceScene scene = scene_of(options, input.field);
+  require_memory({options.heights.file, "the advice", evaluation::advice_bytes(input.field),
+                  "--reduce needs less"},
+                 options.memory_limit);
   const evaluation::Advice advice =
       brdf::at_place(options.heights.file, [&] { return evaluation::advise(scene); });
   const std::vector<Section> sections = sections_of(advice, scene);
@@ -174,6 +179,7 @@ void add_advise(CLI::App& app) {
              "largest error of the amplitude, flat patch's peak = 1 (default 1e-6)", "NUMBER");
   add_parsed(advise, "--resolution", options->resolution, parse_angle,
              "directions that the viewer tells apart (default 1deg)", "ANGLE");
+  add_memory_limit(advise, options->memory_limit);
   advise->add_flag("--json", options->json, "as JSON");
   advise->callback([options] { run(*options); });
 }

@@ -2,6 +2,12 @@
 
 namespace evaluation {
 
+std::size_t advice_bytes(const brdf::HeightField& heights) {
+  const auto rows = static_cast<std::size_t>(heights.rows());
+  const auto cols = static_cast<std::size_t>(heights.cols());
+  return rows * cols * sizeof(double) + 2 * brdf::HeightSpectrum::bytes(rows, cols);
+}
+
 Advice advise(const AdviceScene& scene) {
   require_valid(scene);
   SurfaceMeasures surface = measured(scene.heights());

@@ -18,6 +18,10 @@ struct Advice {
   MethodAdvice method;
 };
 
+/// Bytes that `advise` takes for a height field beside it: levelled heights, spectrum,
+/// autocorrelation.
+std::size_t advice_bytes(const brdf::HeightField& heights);
+
 /// Cost: three transforms of the height field. Throws Errc::invalid_argument as `require_valid`.
 Advice advise(const AdviceScene& scene);
 

@@ -279,7 +279,9 @@ TEST_CASE("the sweep that is recommended runs as it is", "[cli][advise]") {
 
 TEST_CASE("the page fits a screen and says what the JSON says", "[cli][advise]") {
   const Scratch folder;
-  make(folder, "blazed --period 1.15um --height 200nm" + patch);
+  make(folder, GENERATE(as<std::string>(), "blazed --period 1.15um --height 200nm",
+                        "lamellar --period 1.15um --height 200nm", "flat") +
+                   patch);
   for (const std::string scene : {"--theta-i 75deg", "--theta-i 0deg --sigma 1um",
                                   "--theta-i 0deg --phi-i 33deg --replicas 2"}) {
     const Outcome outcome = folder.shedlight("advise g.gsf " + scene);
@@ -331,6 +333,7 @@ TEST_CASE("a scene without meaning is refused", "[cli][advise][refusal]") {
   check_refused(folder, "advise g.gsf --theta-i 30deg --lambda 0nm", 2, {"wavelength"});
   check_refused(folder, "advise g.gsf --theta-i 30deg --replicas 2 --surface isolated", 2,
                 {"--replicas"});
+  check_refused(folder, "advise g.gsf --theta-i 30deg --memory-limit 1kB", 6, {"g.gsf", "advice"});
   check_refused(folder, "advise nowhere.gsf --theta-i 30deg", 3, {"nowhere.gsf"});
 }
 
