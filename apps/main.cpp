@@ -44,6 +44,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   apps::add_synth(app);
   apps::add_info(app);
+  apps::add_advise(app);
   apps::add_precompute(app);
   apps::add_sweep(app);
   apps::add_peaks(app);

@@ -20,8 +20,8 @@ void check_target_refused(const Scratch& folder, const std::string& target) {
         std::string("map g.gsf --theta-i 1deg --size 16 -o "), std::string("bake g.gsf -o "),
         std::string("albedo g.gsf --theta-i 1deg --lambda 1um -o "),
         "tradeoff g.gsf" + small_scene + " -o ",
-        "tradeoff g.gsf" + small_scene + " -o f.csv --plot ",
-        std::string("stability -o "), std::string("stability --plot ")})
+        "tradeoff g.gsf" + small_scene + " -o f.csv --plot ", std::string("stability -o "),
+        std::string("stability --plot ")})
     check_refused(folder, command + target, 4, {target});
 }
 
@@ -88,7 +88,8 @@ TEST_CASE("results that standard output does not take are an error", "[cli][outp
   for (const std::string& command :
        {"sweep g.gsf" + small_scene, std::string("peaks R.csv"), std::string("period R.csv"),
         std::string("colour R.csv"), std::string("period R.csv --json"), std::string("info g.gsf"),
-        std::string("info g.gsf --json"), "sweep g.gsf" + small_scene + " -o other.csv --json",
+        std::string("info g.gsf --json"), std::string("advise g.gsf --theta-i 30deg"),
+        "sweep g.gsf" + small_scene + " -o other.csv --json",
         std::string("validate R.csv R.csv --max-error 1"), std::string("validate --self"),
         std::string("render g.gsf --light 1deg,0deg --probe 0,0")})
     check_standard_output_refused(folder, command);
