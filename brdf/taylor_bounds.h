@@ -68,19 +68,20 @@ inline void require_taylor_terms(const std::optional<int>& terms) {
 
 /// The terms that are given, or the fewest whose remainder is at most half of the tolerance. Throws
 /// Errc::invalid_argument for a tolerance not above 0, Errc::not_attainable where more than
-/// max_taylor_terms would be needed, or where their rounding exceeds the peak: from a phase depth
-/// 2 x of 73.5 rad on. A rounding above the tolerance but below the peak is left to the error bound
-/// of the plan, which states it.
+/// max_taylor_terms would be needed, and where the rounding e^x / 2^53 of the series alone is above
+/// the tolerance: for 1e-6 from a phase depth 2 x of 45.8 rad on. With the terms given a plan
+/// states its bound and goes on.
 inline int taylor_terms(const Surface& surface, const QueryBounds& bounds,
                         const std::optional<int>& given) {
   if (given) return *given;
   if (!(bounds.tolerance > 0))
     throw Error(Errc::invalid_argument, "tolerance " + text(bounds.tolerance) + " must be > 0");
   const double x = bounds.max_abs_c_per_um() * surface.heights->half_range_um();
-  if (taylor_rounding_bound(x) > 1)
+  if (!(taylor_rounding_bound(x) <= bounds.tolerance))
     throw Error(Errc::not_attainable, "a Taylor series at phase depth " + text(2 * x) +
                                           " rad rounds by up to " + text(taylor_rounding_bound(x)) +
-                                          " of the peak: no digit is left");
+                                          ", above the tolerance " + text(bounds.tolerance) +
+                                          "; the Chebyshev series does not");
   if (const auto terms = taylor_terms(x, bounds.tolerance / 2, max_taylor_terms)) return *terms;
   throw Error(Errc::not_attainable, "a Taylor series reaches tolerance " + text(bounds.tolerance) +
                                         " at phase depth " + text(2 * x) +

@@ -238,18 +238,24 @@ TEST_CASE("a tolerance beyond every number of terms is refused by its phase dept
               Errc::not_attainable, "3200 rad");
 }
 
-TEST_CASE("a phase depth whose rounding exceeds the peak is refused, one below it owned up to",
+TEST_CASE("a phase depth whose rounding exceeds the tolerance is refused, unless terms are given",
           "[taylor_series][crossover]") {
   const HeightField field = blazed();  // heights 0.3 um peak to valley, sampled short of it
   const Surface surface = under_quarter_window(field);
-  const auto bounds = [&](double depth_rad) {
+  const auto bounds = [&](double depth_rad, double tolerance) {
     const double c = depth_rad / (2 * field.half_range_um());
-    return QueryBounds{{0, 0, -c}, {1, 1, -c}, 1, 1e-6};
+    return QueryBounds{{0, 0, -c}, {1, 1, -c}, 1, tolerance};
   };
-  // e^x 2^-53 = 1 at x = 36.74.
-  CHECK_ERROR(TaylorSeries{}.plan(surface, bounds(73.6)), Errc::not_attainable, "phase depth 73.6");
-  CHECK_ERROR(TaylorSeries{}.plan(surface, bounds(1500)), Errc::not_attainable, "no digit");
-  CHECK(TaylorSeries{}.plan(surface, bounds(73.4)).report().error_bound >= 0.8);
-  CHECK(TaylorSeries{}.plan(surface, bounds(50)).report().error_bound >= 5e-6);
-  CHECK(TaylorSeries{}.plan(surface, bounds(40)).report().error_bound <= 1e-6);
+  // e^x 2^-53 = 1e-6, 1e-3 and 1e-12 at these phase depths 2 x.
+  for (const auto& [tolerance, depth_rad] :
+       {std::pair(1e-6, 45.842), std::pair(1e-3, 59.658), std::pair(1e-12, 18.211)}) {
+    CHECK_ERROR(TaylorSeries{}.plan(surface, bounds(depth_rad + 0.01, tolerance)),
+                Errc::not_attainable, "rounds by up to");
+    CHECK_NOTHROW(TaylorSeries{}.plan(surface, bounds(depth_rad - 0.01, tolerance)));
+    const TaylorSeries with_terms({.terms = 60});
+    CHECK(with_terms.plan(surface, bounds(depth_rad + 0.01, tolerance)).report().error_bound >=
+          tolerance);
+  }
+  CHECK_ERROR(TaylorSeries{}.plan(surface, bounds(1500, 1e-3)), Errc::not_attainable,
+              "phase depth 1500");
 }
