@@ -26,7 +26,7 @@ struct TimeLimit {
 /// What a run may use.
 struct RunLimits {
   int threads = 1;
-  std::optional<TimeLimit> time;
+  std::optional<TimeLimit> time = {};
 };
 
 /// Called now and then with the part done, 0 to 1, never from two threads at once.

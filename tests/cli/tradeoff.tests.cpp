@@ -58,7 +58,7 @@ TEST_CASE("a trade-off writes its table, its picture and what is within the budg
   const Rows rows = cells_of(folder.read("f.csv"));
   for (const std::string name : {"25 terms", "3 x 3", "Nmin/Nmax"})
     CHECK_NOTHROW(row_with(rows, {{"sources", name}}));
-  const Json sidecar = sidecar_of(folder, "f.csv");
+  const nlohmann::json sidecar = sidecar_of(folder, "f.csv");
   CHECK(sidecar["parameters"]["seed"] == 1);
   CHECK(sidecar["references"][0]["worst_error_against_direct_sum"].get<double>() <= 1e-12);
   // The row within the budget is no slower than any other that meets it.

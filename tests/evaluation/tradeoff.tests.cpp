@@ -323,7 +323,8 @@ TEST_CASE("memory that is touched is seen at its peak", "[tradeoff]") {
     WARN("this system does not tell its memory");
     return;
   }
-  CHECK(*memory.bytes() >= std::size_t{64} << 20);
+  // Some pages of the allocator may have been resident before.
+  CHECK(*memory.bytes() >= std::size_t{60} << 20);
   // Under sanitizers freed memory and shadow stay resident.
   CHECK(*memory.bytes() < std::size_t{256} << 20);
 }
