@@ -133,7 +133,7 @@ void warn_of_excess(const AlbedoOptions& options, const std::vector<Row>& rows) 
   if (count == 0) return;
   report_unattained(
       fmt::format("{}: {} of {} albedos are above 1.001, outside the scalar theory; the largest is "
-                  "{:.6g} at {} deg, {} nm",
+                  "{:.9g} at {} deg, {} nm",
                   options.heights.file, count, rows.size(), worst->albedo.value, worst->theta_i_deg,
                   worst->lambda_nm),
       options.run.attainability());

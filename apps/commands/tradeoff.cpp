@@ -164,7 +164,7 @@ void run(const TradeoffOptions& options) {
   options.require_consistent();
   const evaluation::SweepRequest sweep = options.scene.request();
   evaluation::OutputWithSidecar output(options.output);
-  std::optional<evaluation::OutputFile> picture;
+  std::optional<evaluation::OutputWithSidecar> picture;
   if (!options.picture.empty()) picture.emplace(options.picture);
   const evaluation::HeightFile input = options.heights.read();
   check_sampling(sweep, input.field, options.heights.file, options.run.attainability());
@@ -198,11 +198,6 @@ void run(const TradeoffOptions& options) {
           options.run.attainability());
 
   const std::vector<std::size_t> within = chosen(options, found.rows);
-  if (picture) {
-    picture->write(draw_png(
-        {found.rows, within, std::filesystem::path(options.heights.file).filename().string()}));
-    picture->commit();
-  }
   Json sidecar = sidecar_head("tradeoff", options.heights.file, input.sha256);
   sidecar["parameters"] = options.heights.parameters(input.field);
   sidecar["parameters"].update(scene_json(sweep));
@@ -215,6 +210,10 @@ void run(const TradeoffOptions& options) {
   sidecar["references"] = audits_json(found);
   sidecar["within_budget"] = Json::array();
   for (const std::size_t i : within) sidecar["within_budget"].push_back(i + 1);
+  if (picture)
+    picture->commit(draw_png({found.rows, within,
+                              std::filesystem::path(options.heights.file).filename().string()}),
+                    sidecar);
   output.commit(to_csv(found.rows), std::move(sidecar));
 
   std::string text = frontier_text(found.rows);

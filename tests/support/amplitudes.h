@@ -45,7 +45,7 @@ inline double largest_difference(const Amplitudes& a, const Amplitudes& b) {
 
 template <class Method>
 Amplitudes amplitudes(const Method& method, const brdf::Surface& surface,
-                      const std::vector<brdf::Query>& queries, double tolerance = 1e-14) {
+                      const std::vector<brdf::Query>& queries, double tolerance = 2e-14) {
   Amplitudes result(queries.size());
   method.plan(surface, brdf::bounds_of(queries, tolerance)).evaluate(queries, result);
   return result;
@@ -53,6 +53,6 @@ Amplitudes amplitudes(const Method& method, const brdf::Surface& surface,
 
 template <class Method>
 std::complex<double> amplitude(const Method& method, const brdf::Surface& surface,
-                               const brdf::Query& query, double tolerance = 1e-14) {
+                               const brdf::Query& query, double tolerance = 2e-14) {
   return amplitudes(method, surface, {query}, tolerance).front();
 }
