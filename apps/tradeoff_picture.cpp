@@ -208,14 +208,14 @@ std::string draw_png(const TradeoffPicture& picture) {
     gp << "set logscale xy\nset format xy '1e%T'\nset tics out\nset grid\n"
        << "unset key\n";
     gp << "set xlabel 'seconds to plan and evaluate all cells'\n"
-       << "set ylabel 'worst error of the amplitude (flat patch = 1)'\n";
+       << "set ylabel 'worst error of the amplitude (flat patch = 1)' offset 1.5,0\n";
     set_ranges(gp, panels);
     for (std::size_t i = 0; i < panels.size(); ++i) {
       const double left = static_cast<double>(i) / count;
       gp << fmt::format(
           "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"
           "set tmargin at screen 0.88\nset bmargin at screen 0.25\n",
-          left + 95.0 / width, left + 1 / count - 15.0 / width);
+          left + 105.0 / width, left + 1 / count - 28.0 / width);
       draw(gp, panels[i], folder);
       gp << "unset ylabel\n";
     }

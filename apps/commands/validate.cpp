@@ -105,7 +105,9 @@ void run(const ValidateOptions& options) {
   const auto reference = read(options.reference, evaluation::CsvContent::checked);
   require_same_axis(options, response.lambda_nm, reference.lambda_nm, "lambda_nm");
   require_same_axis(options, response.theta_r_deg, reference.theta_r_deg, "theta_r_deg");
-  const auto [worst, row, column] = response_difference(response, reference);
+  const evaluation::ResponseDifference found = response_difference(response, reference);
+  const double worst = found.worst;
+  const std::size_t row = found.row, column = found.column;
   const auto value = [row, column](const evaluation::ResponseMatrix& of) {
     return of.values(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
   };
