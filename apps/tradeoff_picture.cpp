@@ -208,7 +208,7 @@ std::string draw_png(const TradeoffPicture& picture) {
     gp << "set logscale xy\nset format xy '1e%T'\nset tics out\nset grid\n"
        << "unset key\n";
     gp << "set xlabel 'seconds to plan and evaluate all cells'\n"
-       << "set ylabel 'worst error of the amplitude (flat patch = 1)' offset 1.5,0\n";
+       << "set ylabel 'worst error of the amplitude (flat patch = 1)' offset 0.5,0\n";
     set_ranges(gp, panels);
     for (std::size_t i = 0; i < panels.size(); ++i) {
       const double left = static_cast<double>(i) / count;

@@ -49,8 +49,8 @@ struct SweepOptions {
   bool json = false, explain = false;
 
   void add_to(CLI::App* sweep);
-  /// Fills in what a row of a trade-off, a preset and the options together leave open, and refuses combinations that
-  /// have no meaning.
+  /// Fills in what a row of a trade-off, a preset and the options together leave open, and refuses
+  /// combinations that have no meaning.
   void resolve();
   /// Whether the method is one without diffraction.
   bool is_geometric() const { return GeometricOptions::has(*method); }
