@@ -7,7 +7,7 @@
 #include "apps/console.h"
 #include "apps/options.h"
 #include "apps/quantities.h"
-#include "brdf/synthetic_profile.h"
+#include "brdf/synthetic_surface.h"
 #include "evaluation/writers/gsf_writer.h"
 
 namespace apps {

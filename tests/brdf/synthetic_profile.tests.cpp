@@ -1,4 +1,4 @@
-#include "brdf/synthetic_profile.h"
+#include "brdf/synthetic_surface.h"
 
 #include <catch2/catch.hpp>
 #include <limits>
