@@ -40,7 +40,7 @@ double polynomial(const std::array<double, n>& c, double x) {
 }
 
 /// log x, x > 0, of +, -, *, / alone: x = 2^e m, sqrt(1/2) <= m < sqrt 2, log m = 2 atanh s with
-/// s = (m - 1) / (m + 1). |s| < 0.172: after s^25 what is left is below 1e-20.
+/// s = (m - 1) / (m + 1). |s| < 0.172: what follows s^21 is below 1e-18 of the sum.
 inline double portable_log(double x) {
   int exponent = 0;
   double mantissa = std::frexp(x, &exponent);
@@ -50,7 +50,7 @@ inline double portable_log(double x) {
   }
   const double s = (mantissa - 1) / (mantissa + 1), s2 = s * s;
   double sum = 0;
-  for (int power = 25; power >= 1; power -= 2) sum = sum * s2 + 1.0 / power;
+  for (int power = 21; power >= 1; power -= 2) sum = sum * s2 + 1.0 / power;
   return 2 * s * sum + exponent * std::numbers::ln2;
 }
 
@@ -60,7 +60,7 @@ inline double portable_log(double x) {
 ///
 /// p inside (0, 1). M. J. Wichura, Algorithm AS 241: PPND16, Applied Statistics 37 (1988) 477. Of
 /// IEEE +, -, *, /, sqrt alone, so the same to the last bit wherever products and sums are not
-/// fused (-ffp-contract=off). Measured: relative error at most 4e-16 ("quantiles of the normal
+/// fused (-ffp-contract=off). Measured: relative error at most 5e-16 ("quantiles of the normal
 /// distribution are those of the table").
 inline double normal_quantile(double p) {
   using detail::polynomial;

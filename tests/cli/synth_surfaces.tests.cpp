@@ -150,8 +150,9 @@ TEST_CASE("an option of surfaces that has no meaning is refused", "[cli][synth]"
   for (const std::string option :
        {"--direction 1deg", "--crossed-period 1um", "--crossed-angle 80deg", "--jitter 1nm",
         "--jitter-kind spacing", "--second-period 1um", "--second-direction 1deg",
-        "--second-share 0.5", "--edges sampled", "--seed 3"})
+        "--second-share 0.5", "--edges sampled"})
     refused("flat " + option, {option.substr(0, option.find(' ')), "flat"});
+  refused("flat --seed 3", {"--seed", "--jitter", "--noise"});
   refused("blazed --seed 3" + grating, {"--seed", "--jitter", "--noise"});
   refused("blazed --jitter-kind spacing" + grating, {"--jitter-kind", "--jitter"});
   refused("blazed --crossed-angle 80deg" + grating, {"--crossed-angle", "--crossed-period"});
