@@ -103,11 +103,36 @@ TEST_CASE("crossed lamellar lines are pillars of the square of the duty",
   CHECK((pillars > 0).count() == 28 * 28);
 }
 
+TEST_CASE("crossed lines are disordered by numbers of their own",
+          "[synthetic_surface][invariant]") {
+  SyntheticSurface surface{.grating = grating(Profile::sinusoid),
+                           .layout = CrossedLines{.period = Length::um(3)},
+                           .jitter = tenth};
+  const HeightArray crossed = heights(surface);
+  surface.layout = {};
+  const HeightArray lines = heights(surface);
+  const brdf::LinePlaces across(tenth, Length::um(3), 3, brdf::random_engine(1, 1));
+  for (const Eigen::Index row : {0, 7, 15, 30}) {
+    const double position = static_cast<double>(row - 15) * 0.4 / 3;
+    const brdf::LinePlaces::Stretch stretch = across.at(position);
+    CHECK((crossed.row(row) - lines.row(row) * bump((position - stretch.start) / stretch.width))
+              .abs()
+              .maxCoeff() <= rounding_um);
+  }
+}
+
 TEST_CASE("fingers in order are a plain lattice", "[synthetic_surface][invariant]") {
   const SyntheticSurface fingers{.grating = grating(Profile::sinusoid),
                                  .layout = FingerRows{.width = Length::um(1.5)}};
   CHECK(distance(heights(fingers), [&](double x, double y) {
           return height_um * bump(x / period_um) * bump(y / 1.5);
+        }) <= rounding_um);
+  // Whatever the lines, the strips are round.
+  SyntheticSurface blazed = fingers;
+  blazed.grating.profile = Profile::blazed;
+  blazed.grating.facing = brdf::Facing::minus_x;
+  CHECK(distance(heights(blazed), [&](double x, double y) {
+          return height_um * (x / period_um - std::floor(x / period_um)) * bump(y / 1.5);
         }) <= rounding_um);
 }
 
