@@ -8,7 +8,7 @@
 
 #include "brdf/amplitude.h"
 #include "brdf/directions.h"
-#include "brdf/synthetic_profile.h"
+#include "brdf/synthetic_surface.h"
 
 namespace benchmarks {
 

@@ -1,9 +1,11 @@
-// Gratings made by formula, periodic along x.
+// Profiles of gratings, by formula.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
-#include "brdf/height_field.h"
+#include "brdf/error.h"
+#include "brdf/units.h"
 
 namespace brdf {
 
@@ -44,26 +46,33 @@ inline double profile_height(const ProfileParameters& p, double t) {
   return 0;
 }
 
-/// A grating sampled at the pixel centres, phase 0 at x = 0 (the middle of the patch).
-///
-/// Throws Errc::invalid_argument for a period or height that is not positive, a duty outside
-/// (0, 1), or an empty grid.
-inline HeightField synthetic_grating(const ProfileParameters& p, Eigen::Index rows,
-                                     Eigen::Index cols, Length pixel_x, Length pixel_y) {
-  if (p.profile != Profile::flat) {
-    if (!(p.period.um() > 0 && std::isfinite(p.period.um())))
-      throw Error(Errc::invalid_argument, "period " + text(p.period.um()) + " um must be > 0");
-    if (!(p.height.um() > 0 && std::isfinite(p.height.um())))
-      throw Error(Errc::invalid_argument, "height " + text(p.height.um()) + " um must be > 0");
-    if (!(p.duty > 0 && p.duty < 1))
-      throw Error(Errc::invalid_argument, "duty " + text(p.duty) + " must lie between 0 and 1");
+/// Integral of profile_height over positions from 0 to `phase`, 0 <= phase <= 1, in periods.
+inline double profile_integral(const ProfileParameters& p, double phase) {
+  switch (p.profile) {
+    case Profile::flat:
+      return 0;
+    case Profile::sinusoid:
+      return phase / 2 + std::sin(2 * pi * phase) / (4 * pi);
+    case Profile::blazed:
+      return p.facing == Facing::plus_x ? phase - phase * phase / 2 : phase * phase / 2;
+    case Profile::lamellar:
+      return std::min(phase, p.duty);
+    case Profile::triangle:
+      return phase < 0.5 ? phase * (1 - phase) : 0.5 - phase * (1 - phase);
   }
-  HeightArray heights_um(rows, cols);
-  const double origin = static_cast<double>(cols - 1) / 2;
-  for (Eigen::Index col = 0; col < cols; ++col)
-    heights_um.col(col) = p.height.um() * profile_height(p, (static_cast<double>(col) - origin) *
-                                                                pixel_x.um() / p.period.um());
-  return HeightField(std::move(heights_um), pixel_x, pixel_y);
+  return 0;
+}
+
+/// Throws Errc::invalid_argument for a period or height that is not positive, or a duty outside
+/// (0, 1); a flat profile has none of them.
+inline void require_valid(const ProfileParameters& p) {
+  if (p.profile == Profile::flat) return;
+  if (!(p.period.um() > 0 && std::isfinite(p.period.um())))
+    throw Error(Errc::invalid_argument, "period " + text(p.period.um()) + " um must be > 0");
+  if (!(p.height.um() > 0 && std::isfinite(p.height.um())))
+    throw Error(Errc::invalid_argument, "height " + text(p.height.um()) + " um must be > 0");
+  if (!(p.duty > 0 && p.duty < 1))
+    throw Error(Errc::invalid_argument, "duty " + text(p.duty) + " must lie between 0 and 1");
 }
 
 }  // namespace brdf

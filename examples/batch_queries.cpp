@@ -8,7 +8,7 @@
 
 #include "brdf/chebyshev_series.h"
 #include "brdf/direct_sum.h"
-#include "brdf/synthetic_profile.h"
+#include "brdf/synthetic_surface.h"
 
 int main() {
   using brdf::Angle;

@@ -1,7 +1,7 @@
 // From a height field to the period of its grating, as a program of your own.
 #include <cstdio>
 
-#include "brdf/synthetic_profile.h"
+#include "brdf/synthetic_surface.h"
 #include "evaluation/diffraction.h"
 #include "evaluation/period_fit.h"
 #include "evaluation/sweep.h"

@@ -1,65 +1,30 @@
-// shedlight synth: gratings made by formula.
+// shedlight synth: surfaces made by formula.
 #include <fmt/format.h>
 
 #include <memory>
 
 #include "apps/commands/commands.h"
-#include "apps/console.h"
+#include "apps/commands/synth_options.h"
 #include "apps/options.h"
 #include "apps/quantities.h"
-#include "brdf/synthetic_profile.h"
 #include "evaluation/writers/gsf_writer.h"
 
 namespace apps {
 namespace {
 
-using brdf::Facing;
 using brdf::Length;
-using brdf::Profile;
-
-const Choices<Profile> profile_choices{{"blazed", Profile::blazed},
-                                       {"sinusoid", Profile::sinusoid},
-                                       {"lamellar", Profile::lamellar},
-                                       {"triangle", Profile::triangle},
-                                       {"flat", Profile::flat}};
-const Choices<Facing> facing_choices{{"+x", Facing::plus_x}, {"-x", Facing::minus_x}};
 
 constexpr int max_side = 1 << 20;
 
-struct SynthOptions {
-  brdf::ProfileParameters parameters;
-  std::optional<Length> period, height;
-  std::optional<double> duty;
-  std::optional<Facing> facing;
+struct Options {
+  SynthOptions surface;
   std::pair<Length, Length> size;
   std::pair<int, int> pixels;
   std::string output;
 };
 
-/// Each profile takes the options that mean something for it, and no others.
-brdf::ProfileParameters resolved(const SynthOptions& options) {
-  brdf::ProfileParameters parameters = options.parameters;
-  const std::string name = name_in(profile_choices, parameters.profile);
-  const auto require = [&](bool given, bool wanted, const char* option) {
-    if (given == wanted) return;
-    throw brdf::Error(brdf::Errc::invalid_argument,
-                      wanted ? fmt::format("a {} profile needs {}", name, option)
-                             : fmt::format("{} has no meaning for a {} profile", option, name));
-  };
-  const bool is_grating = parameters.profile != Profile::flat;
-  require(options.period.has_value(), is_grating, "--period");
-  require(options.height.has_value(), is_grating, "--height");
-  if (options.duty) require(true, parameters.profile == Profile::lamellar, "--duty");
-  if (options.facing) require(true, parameters.profile == Profile::blazed, "--facing");
-  parameters.period = options.period.value_or(parameters.period);
-  parameters.height = options.height.value_or(parameters.height);
-  parameters.duty = options.duty.value_or(parameters.duty);
-  parameters.facing = options.facing.value_or(parameters.facing);
-  return parameters;
-}
-
-void run(const SynthOptions& options) {
-  const brdf::ProfileParameters parameters = resolved(options);
+void run(const Options& options) {
+  const brdf::SyntheticSurface surface = options.surface.surface();
   const auto [cols, rows] = options.pixels;
   if (!(options.size.first.um() > 0 && options.size.second.um() > 0))
     throw brdf::Error(brdf::Errc::invalid_argument,
@@ -71,41 +36,32 @@ void run(const SynthOptions& options) {
         fmt::format("--pixels {},{}: at most {} in all", cols, rows, evaluation::max_pixels));
   evaluation::OutputWithSidecar output(options.output);
   const brdf::HeightField field =
-      brdf::synthetic_grating(parameters, rows, cols, Length::um(options.size.first.um() / cols),
+      brdf::synthetic_surface(surface, rows, cols, Length::um(options.size.first.um() / cols),
                               Length::um(options.size.second.um() / rows));
-  const std::string name = name_in(profile_choices, parameters.profile);
   evaluation::Json sidecar = sidecar_head("synth", "", "");
-  sidecar["parameters"] = {{"profile", name},
-                           {"width_um", field.width_um()},
-                           {"height_um", field.height_um()},
-                           {"pixels", {cols, rows}}};
-  if (parameters.profile != Profile::flat) {
-    sidecar["parameters"]["period_nm"] = parameters.period.nm();
-    sidecar["parameters"]["peak_to_valley_nm"] = parameters.height.nm();
-  }
-  if (parameters.profile == Profile::lamellar) sidecar["parameters"]["duty"] = parameters.duty;
-  if (parameters.profile == Profile::blazed)
-    sidecar["parameters"]["falls_towards"] = name_in(facing_choices, parameters.facing);
-  output.commit(evaluation::to_gsf(field, name), std::move(sidecar));
+  sidecar["parameters"] = options.surface.parameters();
+  sidecar["parameters"].update(
+      {{"width_um", field.width_um()}, {"height_um", field.height_um()}, {"pixels", {cols, rows}}});
+  output.commit(evaluation::to_gsf(field, options.surface.shape_name()), std::move(sidecar));
 }
 
 }  // namespace
 
 void add_synth(CLI::App& app) {
-  auto options = std::make_shared<SynthOptions>();
-  CLI::App* synth = app.add_subcommand("synth", "Make a grating by formula, as a GSF file");
+  auto options = std::make_shared<Options>();
+  CLI::App* synth = app.add_subcommand("synth", "Make a surface by formula, as a GSF file");
   synth->footer(
-      "Phase 0 lies at x = 0, the middle of the patch; heights are sampled at pixel centres.\n"
+      "Phase 0 of every grating lies in the middle of the patch; heights are sampled at pixel "
+      "centres.\n"
       "A blaze falling in +x (the default) sends light into order +1.\n"
-      "Example:\n"
-      "  shedlight synth blazed --period 2500nm --height 200nm --size 65um --pixels 650 -o g.gsf");
-  add_choice(synth, "profile", options->parameters.profile, profile_choices, "shape")->required();
-  add_parsed(synth, "--period", options->period, parse_length, "period along x", "LENGTH");
-  add_parsed(synth, "--height", options->height, parse_length, "peak to valley", "LENGTH");
-  add_parsed(synth, "--duty", options->duty, parse_number,
-             "lamellar: part of the period that is high (default 0.5)", "FRACTION");
-  add_choice(synth, "--facing", options->facing, facing_choices,
-             "blazed: the direction in which it falls (default +x)");
+      "The same seed makes the same surface on every machine; a line's jitter does not depend on "
+      "size and pixels.\n"
+      "Examples:\n"
+      "  shedlight synth blazed --period 2500nm --height 200nm --size 65um --pixels 650 -o g.gsf\n"
+      "  shedlight synth fingers --period 1100nm --crossed-period 4um --height 300nm --jitter 80nm "
+      "\\\n"
+      "      --size 65um --pixels 650 -o skin.gsf");
+  options->surface.add_to(synth);
   add_parsed(synth, "--size", options->size, parse_length_pair, "side of the patch, or x,y",
              "LENGTH[,LENGTH]")
       ->required();

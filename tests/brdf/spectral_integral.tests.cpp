@@ -5,7 +5,7 @@
 #include <complex>
 
 #include "brdf/direct_sum.h"
-#include "brdf/synthetic_profile.h"
+#include "brdf/synthetic_surface.h"
 #include "tests/support/is_error.h"
 #include "tests/support/worst_error.h"
 

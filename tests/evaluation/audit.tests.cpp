@@ -5,7 +5,7 @@
 #include <complex>
 #include <limits>
 
-#include "brdf/synthetic_profile.h"
+#include "brdf/synthetic_surface.h"
 
 namespace {
 

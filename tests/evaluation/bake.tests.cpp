@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "brdf/synthetic_profile.h"
+#include "brdf/synthetic_surface.h"
 #include "evaluation/spectral_colours.h"
 #include "tests/support/figure.h"
 #include "tests/support/is_error.h"

@@ -7,7 +7,7 @@
 
 #include "brdf/direct_sum.h"
 #include "brdf/grating_equation.h"
-#include "brdf/synthetic_profile.h"
+#include "brdf/synthetic_surface.h"
 #include "evaluation/diffraction.h"
 #include "evaluation/sweep.h"
 #include "tests/support/amplitudes.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "brdf/direct_sum.h"
-#include "brdf/synthetic_profile.h"
+#include "brdf/synthetic_surface.h"
 #include "evaluation/diffraction.h"
 #include "evaluation/kernels/phase_sum.h"
 

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "brdf/synthetic_profile.h"
+#include "brdf/synthetic_surface.h"
 #include "evaluation/diffraction.h"
 #include "evaluation/period_fit.h"
 #include "evaluation/sweep.h"

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "brdf/direct_sum.h"
-#include "brdf/synthetic_profile.h"
+#include "brdf/synthetic_surface.h"
 #include "brdf/taylor_series.h"
 
 int main() {

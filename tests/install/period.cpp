@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "brdf/surface.h"
-#include "brdf/synthetic_profile.h"
+#include "brdf/synthetic_surface.h"
 #include "evaluation/diffraction.h"
 #include "evaluation/methods.h"
 #include "evaluation/period_fit.h"

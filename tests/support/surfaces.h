@@ -2,7 +2,7 @@
 #pragma once
 
 #include "brdf/surface.h"
-#include "brdf/synthetic_profile.h"
+#include "brdf/synthetic_surface.h"
 
 /// The heights of a function h(x, y), origin in the middle of the pixel centres.
 template <class Function>
