@@ -47,8 +47,8 @@ class LinePlaces {
   /// `max_lines`.
   LinePlaces(const Disorder& disorder, Length period, double reach, RandomEngine engine) {
     require_lines_apart(disorder, period);
+    if (disorder.deviation.um() == 0) return;
     const double deviation = disorder.deviation.um() / period.um();
-    if (deviation == 0) return;
     if (!(2 * reach <= max_lines))
       throw Error(Errc::invalid_argument,
                   "jitter of " + text(std::ceil(2 * reach)) + " lines: at most " + text(max_lines));
@@ -88,7 +88,7 @@ class LinePlaces {
     const double deviation_um = disorder.deviation.um();
     if (!(deviation_um >= 0 && std::isfinite(deviation_um)))
       throw Error(Errc::invalid_argument, "jitter " + text(deviation_um) + " um must be >= 0");
-    if (!(deviation_um < period.um() / 4))
+    if (deviation_um > 0 && !(deviation_um < period.um() / 4))
       throw Error(Errc::invalid_argument, "jitter " + text(deviation_um) +
                                               " um must be below a quarter of the period " +
                                               text(period.um()) + " um, or lines cross");
