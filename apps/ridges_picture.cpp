@@ -20,7 +20,7 @@ constexpr std::size_t most_named = 12;
 
 /// Told apart from each other and from the dark half of the map, where ridges' neighbours are.
 constexpr const char* colours[] = {"#00e5ff", "#7cff4d", "#4d9dff",
-                                   "#ffffff", "#00c896", "#c9b3ff"};
+                                   "#ff4dff", "#00c896", "#c9b3ff"};
 
 std::string colour(std::size_t ridge) {
   return fmt::format("lc rgb '{}'", colours[ridge % std::size(colours)]);
@@ -55,7 +55,7 @@ Points present(const Points& curve, const Ridge& ridge) {
 
 std::string name(std::size_t number, const Ridge& ridge) {
   const std::string order = ridge.order ? fmt::format("order {:+d}", *ridge.order) : "no order";
-  return fmt::format("{}: {:.1f} nm, {}, {:.0f} %", number + 1, ridge.period_nm, order,
+  return fmt::format("{}: {:.1f} nm, {}, {:.2g} %", number + 1, ridge.period_nm, order,
                      100 * ridge.relative);
 }
 
@@ -66,8 +66,8 @@ void map_panel(Gnuplot& gp, const RidgesPicture& picture, const TemporaryFolder&
   for (std::size_t i = 0; i < ridges.size(); ++i) {
     const Points whole = curve(picture, ridges[i]);
     if (whole.empty()) continue;
-    // From 1 to 4 pixels.
-    const double width = 1 + 3 * ridges[i].relative;
+    // From 1.5 to 4 pixels.
+    const double width = 1.5 + 2.5 * ridges[i].relative;
     const std::string file = folder.file(fmt::format("ridge{}", i));
     command += ", " + series(gp, whole, file + "whole.bin") + " with lines lw 1 dt 3 " + colour(i) +
                " notitle, " + series(gp, present(whole, ridges[i]), file + ".bin") +
@@ -100,7 +100,7 @@ void mean_panel(Gnuplot& gp, const RidgesPicture& picture, const TemporaryFolder
      << "set ylabel 'mean over wavelengths'\n"
      << fmt::format("set xrange [{:.17g}:{:.17g}]\n", found.f_per_um.front(), found.f_per_um.back())
      // Six decades at most, with room for the numbers above.
-     << fmt::format("set yrange [{:.6g}:{:.6g}]\n", std::max(least / 2, most * 1e-6), most * 4);
+     << fmt::format("set yrange [{:.6g}:{:.6g}]\n", std::max(least / 2, most * 1e-6), most * 8);
   gp << "plot " << series(gp, mean, folder.file("mean.bin"))
      << " with lines lw 1.5 lc rgb '#404040' notitle, "
      << series(gp, ridges, folder.file("ridges.bin"))

@@ -15,6 +15,11 @@ constexpr double most_points_per_cell = 8;
 /// FWHM of the power exp(-f^2 / sigma_f^2) of a lobe, in sigma_f: 2 sqrt(ln 2).
 const double lobe_fwhm_sigma_f = 2 * std::sqrt(std::log(2.0));
 
+/// 2 g(2 sigma) / (2 pi integral of g) sigma / sigma_f, and a half more.
+constexpr double cut_window_sidelobe = 1.0 / 6;
+/// 1 / (pi L) of an evenly lit length L, whose lobe is 0.886 / L wide.
+constexpr double even_light_sidelobe = 0.6;
+
 /// One wavelength as a piecewise linear function of f, with its integral.
 class Row {
  public:
@@ -120,6 +125,7 @@ void set_axis(FrequencyResponse& over, const std::vector<Row>& rows,
     over.step_per_um = std::max(over.step_per_um, estimate / points_per_sigma_f);
   over.sigma_f_per_um = plane.sigma_f_per_um.value_or(
       std::isfinite(estimate) ? std::max(estimate, over.step_per_um) : over.step_per_um);
+  over.sidelobe = plane.sigma_f_per_um ? cut_window_sidelobe : even_light_sidelobe;
   over.first_per_um = lo + over.step_per_um / 2;
   const auto points = static_cast<std::size_t>(std::floor((hi - lo) / over.step_per_um));
   over.mean.assign(points, 0);

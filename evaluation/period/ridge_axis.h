@@ -22,6 +22,7 @@ struct SeenPoints {
 struct FrequencyResponse {
   double first_per_um, step_per_um;
   double sigma_f_per_um;          ///< of the coherence window; where unknown from the lobes' width
+  double sidelobe;                ///< largest amplitude of a lobe's sidelobes x distance / sigma_f
   brdf::HeightArray values;       ///< wavelengths x points: R over `gain`; 0 where not seen
   std::vector<SeenPoints> seen;   ///< per wavelength; none of a dark one
   std::vector<double> gain;       ///< per wavelength: how it outshines the others
@@ -39,7 +40,8 @@ struct FrequencyResponse {
 /// A value is the mean of the linearly interpolated cells over one step, which is sigma_f / 6, or
 /// the median distance of the cells in f where that is more: a lobe exp(-f^2 / sigma_f^2) gets 0.2
 /// % wider. Where sigma_f is not known it is the median over the wavelengths of that of the
-/// brightest lobe, at least one step.
+/// brightest lobe, at least one step. Sidelobes are those of a Gaussian cut at 2 sigma, 0.113, with
+/// half as much again for the gain along a row; where sigma_f is not known of an evenly lit length.
 /// gain(lambda) and S(f) solve R = gain S in the mean over rows and columns, outside of the mirror
 /// lobe, so that wavelengths that see different frequencies compare; the mean of S is 1 there.
 /// theta_r_deg: only cells at these angles, if given. Empty of points where no row has 3 of them,

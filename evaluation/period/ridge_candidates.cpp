@@ -52,8 +52,9 @@ bool falls_on_both_sides(const FrequencyResponse& over, std::size_t top) {
 bool belongs_to(const FrequencyResponse& over, std::size_t top, std::size_t stronger) {
   const double apart = std::abs(static_cast<double>(top) - static_cast<double>(stronger)) *
                        over.step_per_um / over.sigma_f_per_um;
-  const double sidelobe = 1 / (4 * apart * apart);
-  return apart < least_distance_sigma_f || over.mean[top] <= sidelobe * over.mean[stronger];
+  const double amplitude = over.sidelobe / apart;
+  return apart < least_distance_sigma_f ||
+         over.mean[top] <= amplitude * amplitude * over.mean[stronger];
 }
 
 }  // namespace

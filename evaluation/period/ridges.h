@@ -70,8 +70,9 @@ struct Ridges {
 ///   grains. Speckle that changes with the wavelength averages to less;
 /// - falls by a fifth within 5 sigma_f on both sides: what is wider is a trend, not a ridge;
 /// - is the highest within sigma_f: two equal lobes of the window at 1.4 sigma_f have one maximum;
-/// - exceeds (sigma_f / (2 distance))^2 times every stronger one, mirror lobe included: the
-///   sidelobes of an evenly lit length of 4 sigma, 20 times those of a Gaussian cut there;
+/// - exceeds (sigma_f / (6 distance))^2 times every stronger one, mirror lobe included: more than
+/// the
+///   sidelobes of a Gaussian cut at 2 sigma. Patches shorter than 4 sigma have higher ones;
 /// - has its own maximum at 3 wavelengths and a fifth of those that see it: one bright speckle is
 ///   no ridge.
 /// Members are found by `assign_members`, orders by `number_ridges`. With a guess and an order only

@@ -90,7 +90,9 @@ TEST_CASE("the orders of a grating are a ridge each", "[oracle][ridges]") {
     REQUIRE(ridge.spans.size() == 1);
     CHECK(ridge.spans[0].first_nm == 400);
     REQUIRE(ridge.window_widths);
-    CHECK(std::abs(*ridge.window_widths - 1) <= 0.02);  // resampling, and the same cells
+    // Cells s apart add s^2 / 6 to the variance sigma_f^2 / 2 of the lobe, s up to 0.4 sigma_f: 2.7
+    // %; the step of the axis adds 0.2 %.
+    CHECK(std::abs(*ridge.window_widths - 1) <= 0.03);
     CHECK(ridge.merged_with.empty());
     CHECK(jumps(found, m) == 0);
   }
@@ -98,7 +100,7 @@ TEST_CASE("the orders of a grating are a ridge each", "[oracle][ridges]") {
 
 TEST_CASE("two populations whose strengths swap stay apart where the brightest jumps",
           "[oracle][ridges]") {
-  // 3 % apart: 5 sigma_f at the fourth order of 2.4 um, seen as first orders of 600 nm.
+  // 3 % apart, 5 sigma_f at these periods.
   const double first = 1 / 0.6, second = first / 1.03;
   const auto first_share = [](double lambda_nm) { return 0.5 + 0.4 * std::sin(lambda_nm / 30); };
   const ResponseMatrix response = response_of([&](double lambda_nm, double f) {
@@ -107,11 +109,9 @@ TEST_CASE("two populations whose strengths swap stay apart where the brightest j
   });
   const Ridges found = find_ridges(response, plane_at(75), {});
   REQUIRE(found.ridges.size() == 2);
-  std::size_t swaps = 0, rows = 0;
-  for (double lambda = 400; lambda <= 560; lambda += 5) {  // what -70 to 20 deg show of both
-    if ((first_share(lambda) > 0.5) != (first_share(lambda + 5) > 0.5) && lambda < 560) ++swaps;
-    ++rows;
-  }
+  std::size_t swaps = 0;
+  for (double lambda = 400; lambda < 700; lambda += 5)
+    if ((first_share(lambda) > 0.5) != (first_share(lambda + 5) > 0.5)) ++swaps;
   REQUIRE(swaps > 0);
   for (const Ridge& ridge : found.ridges) {
     const double exact =
@@ -123,7 +123,7 @@ TEST_CASE("two populations whose strengths swap stay apart where the brightest j
     CHECK(ridge.brightest > 0.2);
     CHECK(ridge.f_spread_per_um <= 0.02 * sigma_f);
   }
-  CHECK(jumps(found, 1) >= swaps);
+  CHECK(jumps(found, 1) == swaps);
 }
 
 TEST_CASE("speckle, a smooth response and a bright spot have no ridge", "[invariant][ridges]") {
@@ -169,9 +169,10 @@ TEST_CASE("a ridge that ends halfway has that span", "[oracle][ridges]") {
 }
 
 TEST_CASE("ridges that a window cannot part everywhere are merged there", "[oracle][ridges]") {
-  // Two lobes 2.4 sigma_f apart have two maxima while neither is more than some 10 times the other.
-  const double apart = 2.4 * sigma_f;
-  const auto weaker = [](double lambda_nm) { return lambda_nm <= 600 ? 0.8 : 0.02; };
+  // exp(-x^2) + a exp(-(x - 2)^2) has two maxima for a = 0.8, and one, with a shoulder, for a =
+  // 0.1.
+  const double apart = 2 * sigma_f;
+  const auto weaker = [](double lambda_nm) { return lambda_nm <= 600 ? 0.8 : 0.1; };
   const ResponseMatrix response = response_of([&](double lambda_nm, double f) {
     return lobe(f, 0.5) + weaker(lambda_nm) * lobe(f, 0.5 + apart);
   });
@@ -296,10 +297,11 @@ TEST_CASE("two skins have several ridges side by side", "[golden][real][ridges]"
   struct Skin {
     const char* file;
     double phi_i_deg, first_deg, last_deg;
-    std::vector<double> periods_nm;  ///< by another program: maxima of the mean over f
+    std::vector<double> periods_nm;  ///< maxima of the mean over f, by numpy from the CSV of sweep
   };
   for (const Skin& skin :
-       {Skin{"elaphe_65um.png", 0, -45, -10, {}}, Skin{"xenopeltis_65um.png", 90, -50, -25, {}}}) {
+       {Skin{"elaphe_65um.png", 0, -45, -10, {1029.1, 1184.3, 1136.0, 1072.4, 943.5}},
+        Skin{"xenopeltis_65um.png", 90, -50, -25, {1554.9, 1516.4, 1441.5, 1382.9, 1349.4}}}) {
     CAPTURE(skin.file);
     const evaluation::HeightFile scan = read_scan(*folder, skin.file);
     const brdf::Surface surface{&scan.field, brdf::GaussianWindow(Length::um(sigma_um)),
