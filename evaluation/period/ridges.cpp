@@ -6,6 +6,7 @@
 
 #include "evaluation/period/ridge_candidates.h"
 #include "evaluation/period/ridge_orders.h"
+#include "evaluation/period/ridge_shape.h"
 #include "evaluation/period/ridge_tracks.h"
 
 namespace evaluation {
@@ -53,56 +54,6 @@ std::size_t members(const Found& found) {
 
 std::size_t seeing(const FrequencyResponse& over, const Found& found) {
   return over.rows[found.candidate.point];
-}
-
-/// The half maximum on one side of a candidate, in points from it; empty where S rises again first.
-std::optional<double> half_width(const FrequencyResponse& over, std::size_t top, int step) {
-  const double half = over.mean[top] / 2;
-  double last = over.mean[top];
-  std::size_t at = top;
-  for (double away = 1;; ++away) {
-    if ((step < 0 && at == 0) || (step > 0 && at + 1 == over.points())) return std::nullopt;
-    at = step < 0 ? at - 1 : at + 1;
-    const double now = over.mean[at];
-    if (over.rows[at] == 0 || now > last) return std::nullopt;
-    if (now <= half) return away - (half - now) / (last - now);
-    last = now;
-  }
-}
-
-/// Full width at half maximum of S [1/um]; twice one half where a neighbour hides the other.
-std::optional<double> width(const FrequencyResponse& over, std::size_t top) {
-  const auto below = half_width(over, top, -1), above = half_width(over, top, 1);
-  if (!below && !above) return std::nullopt;
-  return (below.value_or(above.value_or(0)) + above.value_or(below.value_or(0))) * over.step_per_um;
-}
-
-double spread(const RidgeTrack& track) {
-  double weights = 0, mean = 0, squares = 0;
-  for (const auto& member : track.members)
-    if (member) {
-      weights += member->value;
-      mean += member->value * (member->f_per_um - track.f_per_um);
-    }
-  mean /= weights;
-  for (const auto& member : track.members)
-    if (member) squares += member->value * std::pow(member->f_per_um - track.f_per_um - mean, 2);
-  return std::sqrt(squares / weights);
-}
-
-std::vector<WavelengthSpan> spans(const RidgeTrack& track, const Axis& lambda_nm) {
-  std::vector<WavelengthSpan> spans;
-  bool inside = false;
-  for (std::size_t i = 0; i < track.members.size(); ++i) {
-    if (track.members[i]) {
-      if (inside)
-        spans.back().last_nm = lambda_nm[i];
-      else
-        spans.push_back({lambda_nm[i], lambda_nm[i]});
-    }
-    inside = track.members[i].has_value();
-  }
-  return spans;
 }
 
 /// Whether a wavelength has no maximum of `lost`, but power there that only rises to the member of
@@ -200,12 +151,12 @@ void keep_asked(std::vector<Found>& found, const RidgeSearch& search) {
 Ridge described(const FrequencyResponse& over, const Found& found, const Axis& lambda_nm) {
   Ridge ridge{};
   ridge.f_per_um = found.track.f_per_um;
-  ridge.f_spread_per_um = spread(found.track);
+  ridge.f_spread_per_um = spread_per_um(found.track);
   ridge.order = found.order;
   ridge.period_nm = period_nm(found);
   ridge.strength = found.track.strength;
   ridge.contrast = found.candidate.contrast;
-  ridge.width_per_um = width(over, found.candidate.point);
+  ridge.width_per_um = width_per_um(over, found.candidate.point);
   ridge.spans = spans(found.track, lambda_nm);
   ridge.present = static_cast<double>(members(found)) / static_cast<double>(seeing(over, found));
   return ridge;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "evaluation/peaks.h"
+#include "evaluation/period/ridge_shape.h"
 
 namespace evaluation {
 
@@ -19,10 +19,6 @@ struct RidgeSearch {
   std::optional<std::pair<double, double>> theta_r_deg;               ///< only these angles
   double floor = 0;            ///< what the error of the response could make
   double least_contrast = 10;  ///< over the background, > 1
-};
-
-struct WavelengthSpan {
-  double first_nm, last_nm;
 };
 
 /// Another ridge that one cannot be told from at some wavelengths: there is one maximum for both.
