@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "apps/commands/commands.h"
@@ -91,16 +92,19 @@ std::string line(std::size_t number, const Ridge& ridge) {
       100 * ridge.relative, width, ridge.spans.front().first_nm, ridge.spans.back().last_nm,
       100 * ridge.present);
   for (const auto& merge : ridge.merged_with)
-    text += fmt::format(", merges with {} at {}", merge.with + 1, merge.wavelengths);
+    text += fmt::format(", merges with {} at {} wavelengths", merge.with + 1, merge.wavelengths);
   return text + "\n";
 }
 
 std::string for_people(const evaluation::Ridges& found) {
   std::string text;
   for (std::size_t i = 0; i < found.ridges.size(); ++i) text += line(i + 1, found.ridges[i]);
-  for (const auto& order : found.jumps)
+  for (const auto& order : found.jumps) {
+    const auto of_order = [&](const Ridge& ridge) { return ridge.order == order.order; };
+    if (std::ranges::count_if(found.ridges, of_order) < 2) continue;
     text += fmt::format("the brightest angle of order {:+d} changes its ridge {} times\n",
                         order.order, order.jumps);
+  }
   return text;
 }
 

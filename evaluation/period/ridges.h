@@ -62,8 +62,8 @@ struct Ridges {
 /// ridge at a maximum that
 /// - is `least_contrast` times the background, the median of S over an octave around, on the same
 ///   side of the mirror direction, over ln 2. Of a rough surface that is the mean power, which a
-///   grain of its speckle exceeds 10 times with probability exp(-10): once in 400 views of 50
-///   grains. Speckle that changes with the wavelength averages to less;
+///   grain of its speckle exceeds 10 times with probability exp(-10); 4 of 100 simulated views of
+///   150 grains had a ridge. Speckle that changes with the wavelength averages to less;
 /// - falls by a fifth within 5 sigma_f on both sides: what is wider is a trend, not a ridge;
 /// - is the highest within sigma_f: two equal lobes of the window at 1.4 sigma_f have one maximum;
 /// - exceeds (sigma_f / (6 distance))^2 times every stronger one, mirror lobe included: more than
@@ -75,7 +75,8 @@ struct Ridges {
 /// that order's ridges are kept; with a range only those with a period in it; lastly numbers and
 /// strengths count among those kept.
 ///
-/// Accuracy, measured in ridges.tests.cpp: of lobes 5 sigma_f apart f to 1e-3 sigma_f. Lobes nearer
+/// Accuracy, measured in ridges.tests.cpp: of lobes 5 sigma_f apart f to 5e-3
+/// sigma_f. Lobes nearer
 /// to each other than about 2 sigma_f pull each other's maxima by tenths of it, and interfere. The
 /// gain across a row is not divided out. A ridge need not be a population of the surface: a rough
 /// patch of finite size has grains at constant f too, which only the contrast tells from a grating.

@@ -135,11 +135,15 @@ TEST_CASE("speckle, a smooth response and a bright spot have no ridge", "[invari
   const auto smooth =
       response_of([](double, double f) { return 1 + std::exp(-std::pow((f - 0.8) / 0.3, 2)); });
   CHECK(find_ridges(smooth, plane_at(75), {}).ridges.empty());
-  // A hump of the surface's spectrum, high but 20 times as wide as the window.
-  const auto hump = response_of([](double, double f) { return lobe(f, 0.8, sigma_um / 20); });
+  // A hump of the surface's spectrum that stands clear, but 12 times as wide as the window: within
+  // 5 sigma_f it falls to 0.84.
+  const auto hump = response_of([](double, double f) { return lobe(f, 1.5, sigma_um / 12); });
   CHECK(find_ridges(hump, plane_at(75), {}).ridges.empty());
+  // One of five wavelengths: a hundred widths of the window hold its power, so that it stands some
+  // 100 / 5 times the mean.
   const auto spot = response_of(
-      [](double lambda_nm, double f) { return 1 + (lambda_nm == 500 ? 1e6 * lobe(f, 0.8) : 0); });
+      [](double lambda_nm, double f) { return 1 + (lambda_nm == 550 ? 1e6 * lobe(f, 0.8) : 0); },
+      75);
   CHECK(find_ridges(spot, plane_at(75), {}).ridges.empty());
   const auto flat = response_of([](double, double) { return 3.0; });
   CHECK(find_ridges(flat, plane_at(75), {}).ridges.empty());
@@ -170,6 +174,8 @@ TEST_CASE("grains of a rough patch, at constant f, are seldom ridges", "[oracle]
         50);
     if (!find_ridges(grains, plane_at(75), {}).ridges.empty()) ++with_ridge;
   }
+  // 150 grains of probability exp(-10) would give one; medians over octaves of few grains near the
+  // mirror direction are uncertain.
   CHECK(with_ridge <= 5);
 }
 
@@ -187,6 +193,25 @@ TEST_CASE("a ridge that ends halfway has that span", "[oracle][ridges]") {
   CHECK(ending.spans[0].last_nm == 550);
   CHECK(ending.present == Approx(31.0 / 61));  // 400, 405, ... 550 of 400 ... 700
   CHECK(found.ridges[0].present == 1);
+}
+
+TEST_CASE("how bright a wavelength is does not matter", "[invariant][ridges]") {
+  const auto shape = [](double lambda_nm, double f) {
+    return 1e-4 + lobe(f, 0.4) + (lambda_nm <= 550 ? 0.5 * lobe(f, 0.5) : 0);
+  };
+  const Ridges plain = find_ridges(response_of(shape), plane_at(75), {});
+  const Ridges uneven = find_ridges(response_of([&](double lambda_nm, double f) {
+                                      return shape(lambda_nm, f) *
+                                             std::exp(lambda_nm / 40);  // by 1800 from end to end
+                                    }),
+                                    plane_at(75), {});
+  REQUIRE(plain.ridges.size() == 2);
+  REQUIRE(uneven.ridges.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    // Gains are iterated to 1e-6 per round.
+    CHECK(uneven.ridges[i].strength == Approx(plain.ridges[i].strength).epsilon(1e-4));
+    CHECK(uneven.ridges[i].f_per_um == Approx(plain.ridges[i].f_per_um).epsilon(1e-9));
+  }
 }
 
 TEST_CASE("ridges that a window cannot part everywhere are merged there", "[oracle][ridges]") {
@@ -230,6 +255,8 @@ TEST_CASE("the mirror lobe is no ridge, and sides are told apart", "[invariant][
     }
   const Ridges found = find_ridges(response, plane, {});
   REQUIRE(found.ridges.size() == 2);
+  for (std::size_t j = 0; j < found.mean.size(); ++j)
+    if (std::abs(found.f_per_um[j]) < 5.9 * sigma_f) CHECK(found.mean[j] == 0);
   CHECK(found.ridges[0].order == 1);
   CHECK(found.ridges[1].order == -1);
   CHECK(found.ridges[0].period_nm == Approx(2000).epsilon(1e-3));
