@@ -55,7 +55,7 @@ Points present(const Points& curve, const Ridge& ridge) {
 
 std::string name(std::size_t number, const Ridge& ridge) {
   const std::string order = ridge.order ? fmt::format("order {:+d}", *ridge.order) : "no order";
-  return fmt::format("{}: {:.1f} nm, {}, {:.2g} %", number + 1, ridge.period_nm, order,
+  return fmt::format("{}: {:.1f} nm, {}, {:.3g} %", number + 1, ridge.period_nm, order,
                      100 * ridge.relative);
 }
 

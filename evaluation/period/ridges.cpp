@@ -52,8 +52,12 @@ std::size_t members(const Found& found) {
       found.track.members, [](const auto& member) { return member.has_value(); }));
 }
 
+/// Wavelengths in whose view a ridge lies: at the edge of a view its member may lie inside alone.
 std::size_t seeing(const FrequencyResponse& over, const Found& found) {
-  return over.rows[found.candidate.point];
+  std::size_t count = 0;
+  for (std::size_t row = 0; row < over.seen.size(); ++row)
+    if (is_seen(over, found, row) || found.track.members[row]) ++count;
+  return count;
 }
 
 /// Whether a wavelength has no maximum of `lost`, but power there that only rises to the member of

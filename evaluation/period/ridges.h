@@ -29,13 +29,13 @@ struct RidgeMerge {
 
 /// A curve f = (sin theta_i + sin theta_r) / lambda = m / d along which a response has its maxima.
 struct Ridge {
-  double f_per_um;                      ///< of its maxima, the median weighted with their power
-  double f_spread_per_um;               ///< their standard deviation over the wavelengths, weighted
-  std::optional<int> order;             ///< m, positive towards the light
-  double period_nm;                     ///< m / f; 1 / |f| where the order is not known
-  double strength;                      ///< S there, in means of S over all frequencies in view
-  double relative;                      ///< to the strongest of the ridges
-  double contrast;                      ///< S over the background; infinite where that is 0
+  double f_per_um;           ///< of its maxima, the median weighted with their power
+  double f_spread_per_um;    ///< their standard deviation over the wavelengths, weighted
+  std::optional<int> order;  ///< m, positive towards the light
+  double period_nm;          ///< m / f; 1 / |f| where the order is not known
+  double strength;           ///< S there, in its mean over the frequencies in view; to 1 %
+  double relative;           ///< to the strongest of the ridges
+  double contrast;           ///< S over the background; infinite where that is 0
   std::optional<double> width_per_um;   ///< FWHM in f; empty where it does not fall to a half
   std::optional<double> window_widths;  ///< the same in widths of the window, 2 sqrt(ln 2) sigma_f
   std::vector<WavelengthSpan> spans;    ///< where it has a maximum
