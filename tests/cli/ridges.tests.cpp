@@ -19,15 +19,15 @@ const std::string light = " --theta-i 75deg --sigma 16.25um ";
 std::string response_with(const std::vector<std::pair<double, double>>& lobes) {
   constexpr double pi = 3.14159265358979323846;
   std::string csv = "lambda_nm";
-  for (int i = -600; i <= -200; ++i) csv += "," + std::to_string(i / 10.0);
+  for (int i = -600; i <= -200; ++i) csv.append(",").append(std::to_string(i / 10.0));
   for (int lambda = 500; lambda <= 600; lambda += 10) {
-    csv += "\n" + std::to_string(lambda);
+    csv.append("\n").append(std::to_string(lambda));
     for (int i = -600; i <= -200; ++i) {
       const double f = (std::sin(75 * pi / 180) + std::sin(i / 10.0 * pi / 180)) / lambda * 1e3;
       double value = 1e-3;
       for (const auto& [at, strength] : lobes)
         value += strength * std::exp(-std::pow(2 * pi * 16.25 * (f - at), 2));
-      csv += "," + std::to_string(value);
+      csv.append(",").append(std::to_string(value));
     }
   }
   return csv + "\n";
