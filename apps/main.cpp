@@ -49,6 +49,7 @@ int run(int argc, char** argv) {
   apps::add_sweep(app);
   apps::add_peaks(app);
   apps::add_period(app);
+  apps::add_ridges(app);
   apps::add_plot(app);
   apps::add_colour(app);
   apps::add_map(app);

@@ -91,6 +91,11 @@ void require_other_file(const std::string& output, const std::string& input) {
                                                 "name");
 }
 
+void require_apart(const std::string& output, const std::string& picture) {
+  if (!output.empty() && fs::weakly_canonical(output) == fs::weakly_canonical(picture))
+    throw Error(Errc::invalid_argument, "--plot " + picture + " is the output; give another name");
+}
+
 evaluation::Json sidecar_head(const std::string& command, const std::string& input,
                               const std::string& input_sha256) {
   evaluation::Json head;

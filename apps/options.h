@@ -87,6 +87,9 @@ CLI::Option* add_output(CLI::App* app, std::string& output, const std::string& h
 /// Refuses an output, or its sidecar, that is the input or the input's sidecar.
 void require_other_file(const std::string& output, const std::string& input);
 
+/// Refuses a picture that is the output; either may be empty.
+void require_apart(const std::string& output, const std::string& picture);
+
 /// What every sidecar begins with.
 evaluation::Json sidecar_head(const std::string& command, const std::string& input,
                               const std::string& input_sha256);

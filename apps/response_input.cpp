@@ -1,7 +1,10 @@
 #include "apps/response_input.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "apps/options.h"
 #include "apps/quantities.h"
@@ -53,6 +56,21 @@ std::string sidecar_text(const Json& sidecar, const std::string& pointer,
   const Json::json_pointer at(pointer);
   return sidecar.contains(at) && sidecar[at].is_string() ? sidecar[at].get<std::string>()
                                                          : otherwise;
+}
+
+std::string value_label(const Json& sidecar) {
+  const std::string quantity = sidecar_text(sidecar, "/parameters/quantity", "");
+  if (quantity == "power") return "abs(a)^2";
+  if (quantity == "relative") return "relative reflectance";
+  if (quantity == "brdf") return "BRDF [1/sr]";
+  if (quantity == "radiance") return "radiance per intensity I [1/sr]";
+  return "response";
+}
+
+std::string picture_title(const ResponseInput& input, const std::string& file) {
+  const std::filesystem::path scan = sidecar_text(input.sidecar, "/input/file", file);
+  return fmt::format("{}, light at {:.6g} deg", scan.filename().string(),
+                     input.plane.theta_i.deg());
 }
 
 ResponseFile read_response(const std::string& file) {

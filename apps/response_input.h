@@ -43,7 +43,13 @@ std::optional<double> sidecar_number(const evaluation::Json& sidecar, const std:
 std::string sidecar_text(const evaluation::Json& sidecar, const std::string& pointer,
                          const std::string& otherwise);
 
-/// The options that `peaks`, `period` and `plot` share.
+/// What the values of a response are, by its sidecar, for the axis of a picture.
+std::string value_label(const evaluation::Json& sidecar);
+
+/// The height field that a response is of, or the response's file, and the light.
+std::string picture_title(const ResponseInput& input, const std::string& file);
+
+/// The options that `peaks`, `period`, `plot` and `ridges` share.
 struct ResponseOptions {
   std::string file;
   std::optional<brdf::Angle> theta_i, phi_i, phi_r;

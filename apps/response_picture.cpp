@@ -5,23 +5,13 @@
 #include <cmath>
 
 #include "apps/gnuplot.h"
+#include "apps/response_map.h"
 #include "brdf/grating_equation.h"
 
 namespace apps {
 namespace {
 
 using evaluation::Peak;
-
-/// The heat map on a logarithmic scale: four decades below the maximum, darker cells at its end.
-std::vector<std::vector<double>> logarithmic(const evaluation::ResponseMatrix& response,
-                                             double floor) {
-  std::vector<std::vector<double>> rows;
-  for (const auto& row : response.values.rowwise()) {
-    std::vector<double>& values = rows.emplace_back();
-    for (const double value : row) values.push_back(std::log10(std::max(value, floor)));
-  }
-  return rows;
-}
 
 /// The angles of the fitted period, per wavelength where the order is visible.
 std::vector<std::pair<double, double>> fitted_curve(const ResponsePicture& picture) {
@@ -35,22 +25,7 @@ std::vector<std::pair<double, double>> fitted_curve(const ResponsePicture& pictu
 }
 
 void heat_map(Gnuplot& gp, const ResponsePicture& picture, const TemporaryFolder& folder) {
-  const evaluation::ResponseMatrix& response = *picture.response;
-  const double brightest = response.values.maxCoeff();
-  const double floor = brightest > 0 ? brightest * 1e-4 : 1e-300;
-  const auto [x0, dx] = grid(response.theta_r_deg);
-  const auto [y0, dy] = grid(response.lambda_nm);
-  set_range(gp, "xrange", response.theta_r_deg);
-  set_range(gp, "yrange", response.lambda_nm);
-  gp << "set xlabel 'viewing angle theta_r [deg], positive on the "
-     << (picture.plane.light_side > 0 ? "light''s side" : "side opposite to the light")
-     << "'\nset ylabel 'wavelength [nm]'\n";
-  gp << "set cblabel " << quoted("log10 of " + picture.value_label) << "\n";
-  gp << fmt::format("set cbrange [{:.17g}:{:.17g}]\n", std::log10(floor),
-                    std::log10(std::max(brightest, floor * 10)));
-  gp << "plot " << gp.binFile2d(logarithmic(response, floor), "array", folder.file("map.bin"))
-     << fmt::format(" origin=({:.17g},{:.17g}) dx={:.17g} dy={:.17g} with image notitle", x0, y0,
-                    dx, dy);
+  gp << plot_response_map(gp, folder, *picture.response, picture.plane, picture.value_label);
   std::vector<std::pair<double, double>> points;
   for (const Peak& peak : picture.peaks)
     if (peak.theta_r_deg) points.emplace_back(*peak.theta_r_deg, peak.lambda_nm);

@@ -12,10 +12,6 @@ namespace {
 using brdf::Angle;
 using brdf::Length;
 
-/// Half the width of the order 0 [sigma_f] that is kept out of the search for others: the window's
-/// transform there is 1.5e-8 of its peak.
-constexpr double mirror_radius_sigma_f = 6;
-
 struct Interval {
   double lo, hi;
 

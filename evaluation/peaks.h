@@ -28,6 +28,10 @@ struct PlaneOfIncidence {
 /// some turns.
 PlaneOfIncidence plane_of_incidence(brdf::Angle theta_i, brdf::Angle phi_i, brdf::Angle phi_r);
 
+/// Half the width of the order 0 [sigma_f] that is kept out of the search for others: the window's
+/// transform there is 1.5e-8 of its peak.
+inline constexpr double mirror_radius_sigma_f = 6;
+
 enum class Refinement {
   grid,      ///< the brightest cell, as the sources do
   parabola,  ///< the vertex of a parabola through the logarithms of the brightest three cells, over

@@ -12,6 +12,7 @@ void add_precompute(CLI::App& app);
 void add_sweep(CLI::App& app);
 void add_peaks(CLI::App& app);
 void add_period(CLI::App& app);
+void add_ridges(CLI::App& app);
 void add_plot(CLI::App& app);
 void add_colour(CLI::App& app);
 void add_map(CLI::App& app);

@@ -30,15 +30,6 @@ struct PlotOptions {
   std::string output;
 };
 
-std::string value_label(const Json& sidecar) {
-  const std::string quantity = sidecar_text(sidecar, "/parameters/quantity", "");
-  if (quantity == "power") return "abs(a)^2";
-  if (quantity == "relative") return "relative reflectance";
-  if (quantity == "brdf") return "BRDF [1/sr]";
-  if (quantity == "radiance") return "radiance per intensity I [1/sr]";
-  return "response";
-}
-
 /// The fit, or nothing with a warning: a response without an order is a picture all the same.
 std::optional<evaluation::PeriodFit> fit(const ResponseInput& input,
                                          const std::vector<evaluation::Peak>& peaks) {
@@ -56,10 +47,7 @@ std::string draw_map(const ResponseInput& input, const PlotOptions& options) {
       &input.response,           input.plane, input.search.order, input.peaks(), {}, {},
       value_label(input.sidecar)};
   picture.fit = fit(input, picture.peaks);
-  const std::filesystem::path scan =
-      sidecar_text(input.sidecar, "/input/file", options.response.file);
-  picture.title =
-      fmt::format("{}, light at {:.6g} deg", scan.filename().string(), input.plane.theta_i.deg());
+  picture.title = picture_title(input, options.response.file);
   return draw_png(picture);
 }
 

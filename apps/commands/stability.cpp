@@ -1,7 +1,6 @@
 // shedlight stability: every method and formula at its extremes.
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -22,11 +21,7 @@ struct StabilityOptions {
 };
 
 void run(const StabilityOptions& options) {
-  namespace fs = std::filesystem;
-  if (fs::weakly_canonical(options.output) == fs::weakly_canonical(options.picture) &&
-      !options.output.empty())
-    throw brdf::Error(brdf::Errc::invalid_argument,
-                      "--plot " + options.picture + " is the output; give another name");
+  require_apart(options.output, options.picture);
   std::optional<evaluation::OutputWithSidecar> output, picture;
   if (!options.output.empty()) output.emplace(options.output);
   if (!options.picture.empty()) picture.emplace(options.picture);

@@ -15,6 +15,7 @@ const std::string sweep = "sweep g.gsf" + small_scene + " -o ";
 void check_target_refused(const Scratch& folder, const std::string& target) {
   for (const std::string& command :
        {synth, sweep, std::string("peaks R.csv -o "), std::string("plot R.csv -o "),
+        std::string("ridges R.csv -o "), std::string("ridges R.csv --plot "),
         std::string("precompute g.gsf --terms 3 -o "), std::string("colour R.csv -o "),
         std::string("render g.gsf --light 1deg,0deg -o "),
         std::string("map g.gsf --theta-i 1deg --size 16 -o "), std::string("bake g.gsf -o "),
@@ -87,7 +88,8 @@ TEST_CASE("results that standard output does not take are an error", "[cli][outp
   make_response(folder);
   for (const std::string& command :
        {"sweep g.gsf" + small_scene, std::string("peaks R.csv"), std::string("period R.csv"),
-        std::string("colour R.csv"), std::string("period R.csv --json"), std::string("info g.gsf"),
+        std::string("ridges R.csv"), std::string("colour R.csv"),
+        std::string("period R.csv --json"), std::string("info g.gsf"),
         std::string("info g.gsf --json"), std::string("advise g.gsf --theta-i 30deg"),
         "sweep g.gsf" + small_scene + " -o other.csv --json",
         std::string("validate R.csv R.csv --max-error 1"), std::string("validate --self"),

@@ -5,8 +5,9 @@
 TEST_CASE("help at every level exits 0 and shows a worked example", "[cli][help]") {
   const Scratch folder;
   for (const std::string command :
-       {"", "synth ", "info ", "advise ", "precompute ", "sweep ", "peaks ", "period ", "plot ",
-        "colour ", "map ", "bake ", "render ", "albedo ", "tradeoff ", "stability ", "validate "}) {
+       {"", "synth ", "info ", "advise ", "precompute ", "sweep ", "peaks ", "period ", "ridges ",
+        "plot ", "colour ", "map ", "bake ", "render ", "albedo ", "tradeoff ", "stability ",
+        "validate "}) {
     for (const std::string help : {"--help", "-h"}) {
       const Outcome outcome = folder.shedlight(command + help);
       INFO(command << help);
@@ -42,8 +43,8 @@ TEST_CASE("an unknown subcommand or option is named and refused", "[cli][refusal
         "tradeoff x.png --theta-i 1deg --theta-r 1deg --lambda 1um -o older.csv",
         "stability -o older.csv", "advise x.png --theta-i 1deg",
         "sweep x.png --theta-i 75deg --theta-r -5deg --lambda 1um", "peaks R.csv", "period R.csv",
-        "precompute x.png --terms 3 -o older.csv", "plot R.csv -o older.csv", "colour R.csv",
-        "map x.png --theta-i 1deg -o older.csv", "bake x.png -o older.csv",
+        "ridges R.csv", "precompute x.png --terms 3 -o older.csv", "plot R.csv -o older.csv",
+        "colour R.csv", "map x.png --theta-i 1deg -o older.csv", "bake x.png -o older.csv",
         "render x.png --light 1deg,0deg -o older.csv", "validate a.csv b.csv --max-error 1"})
     check_refused(folder, command + " --frobnicate", 2, {"--frobnicate"});
 }
@@ -61,6 +62,7 @@ TEST_CASE("a missing argument is named and refused", "[cli][refusal]") {
   check_refused(folder, "precompute g.gsf --terms 3", 2, {"--output"});
   check_refused(folder, "precompute g.gsf -o t.npy", 2, {"--terms"});
   check_refused(folder, "colour", 2, {"response"});
+  check_refused(folder, "ridges", 2, {"response"});
   check_refused(folder, "map g.gsf -o older.csv", 2, {"--theta-i"});
   check_refused(folder, "map g.gsf --theta-i 1deg", 2, {"--output"});
   check_refused(folder, "map --theta-i 1deg -o older.csv", 2, {"file"});

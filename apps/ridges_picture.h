@@ -1,0 +1,25 @@
+// The ridges of a response as a picture.
+#pragma once
+
+#include <string>
+
+#include "evaluation/period/ridges.h"
+
+namespace apps {
+
+/// What a picture of ridges shows.
+struct RidgesPicture {
+  const evaluation::ResponseMatrix* response;
+  evaluation::PlaneOfIncidence plane;
+  const evaluation::Ridges* found;
+  std::string title, value_label;
+};
+
+/// The bytes of a PNG: the heat map with the curve of every ridge, solid where it has a maximum and
+/// the wider the stronger, numbered at its end and named in a key; below, the mean response over f
+/// with the ridges' numbers.
+///
+/// Throws Errc::cannot_write where gnuplot is missing or fails.
+std::string draw_png(const RidgesPicture& picture);
+
+}  // namespace apps
