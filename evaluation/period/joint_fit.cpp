@@ -125,10 +125,8 @@ JointFit fit_period_jointly(const ResponseMatrix& response, const JointScene& sc
   const brdf::Direction along = brdf::direction(brdf::Angle::deg(45), scene.phi_i);
   const double length = std::hypot(along.x(), along.y());
   const double guess = 2 * brdf::pi / start.um();
-  // Copies of the orders are looked up to a spacing away (pixel_beat.h).
   const WindowLobe lobe(
-      {scene.model, scene.window, scene.x, scene.y, {along.x() / length, along.y() / length}},
-      2 * guess);
+      {scene.model, scene.window, scene.x, scene.y, {along.x() / length, along.y() / length}});
 
   double k = best_start(view, lobe, guess);
   std::vector<OrderProblem> problems;
@@ -148,8 +146,7 @@ JointFit fit_period_jointly(const ResponseMatrix& response, const JointScene& sc
   JointFit fit{};
   fit.period_nm = brdf::Length::um(2 * brdf::pi / k).nm();
   fit.explained = explained_part(problems, lobe, k);
-  std::vector<OrderCells> wide = cells_of_orders(view, k, reach_of_cells(lobe, k, 4));
-  fit.relative_width = relative_width(wide, lobe, k);
+  fit.relative_width = relative_width(problems, lobe, k);
   require_single_period(fit);
 
   const ScoreErrors errors = score_errors(row_scores(problems, lobe, k), view.rows());

@@ -53,14 +53,18 @@ std::vector<Eigen::ArrayXd> neighbour_families(const OrderCells& cells, const Ei
 }  // namespace
 
 Eigen::MatrixXd lobe_columns(const OrderCells& cells, const Degrees& degrees,
-                             const WindowLobe& lobe, double k) {
+                             const WindowLobe& lobe, double k, double width) {
   const Eigen::ArrayXd w =
       (cells.q_per_um - cells.order * k).unaryExpr([&](double q) { return lobe(q); });
+  const Eigen::ArrayXd own_lobe =
+      width == 1 ? w : Eigen::ArrayXd((cells.q_per_um - cells.order * k).unaryExpr([&](double q) {
+        return lobe(q / width);
+      }));
   const std::vector<Eigen::ArrayXd> families = neighbour_families(cells, w, lobe, k);
   const Eigen::ArrayXXd t = chebyshev(cells, std::max(degrees.lobe, degrees.neighbours));
   const Eigen::Index own = degrees.lobe + 1, other = degrees.neighbours + 1;
   Eigen::MatrixXd columns(cells.size(), own + other * static_cast<Eigen::Index>(families.size()));
-  columns.leftCols(own) = t.leftCols(own).colwise() * (w * w);
+  columns.leftCols(own) = t.leftCols(own).colwise() * own_lobe.square();
   for (std::size_t i = 0; i < families.size(); ++i)
     columns.middleCols(own + other * static_cast<Eigen::Index>(i), other) =
         t.leftCols(other).colwise() * families[i];

@@ -33,9 +33,10 @@ struct OrderProblem {
 ///   the lobe less its sidelobes;
 /// - the sidelobes of all other orders together: a cut edge makes e / (q - mK) sin or cos of q L/2,
 ///   whatever m: W(D) e {cos, sin}(D L/2) {1, D/K}.
-/// Families that are nowhere above 1e-6 of the lobe's peak are left out.
+/// Families that are nowhere above 1e-6 of the lobe's peak are left out. The first columns are
+/// those of P_n. width: of the order's own lobe over the window's, W(D / width)^2.
 Eigen::MatrixXd lobe_columns(const OrderCells& cells, const Degrees& degrees,
-                             const WindowLobe& lobe, double k_grating_per_um);
+                             const WindowLobe& lobe, double k_grating_per_um, double width = 1);
 
 /// What the best combination of the columns leaves of the power of the cells, over scale and times
 /// the root of the weight.

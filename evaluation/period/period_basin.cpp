@@ -4,83 +4,50 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <map>
 
 namespace evaluation {
 namespace {
 
 constexpr double order_spacings = 0.1, least_relative_range = 0.03;
 constexpr double steps_of_half_width = 3;
-constexpr double lobe_half_widths = 2;  // sidelobes lie beyond
+constexpr double half_widths = 3;  // of the lobe, where cells are taken
+constexpr Degrees coarse{2, 1};
+/// Of the mirror's peak: an order beside it may be weaker than what is left of that.
+constexpr double mirror_power = 1e-6;
 constexpr double narrowest = 0.6, widest = 8;
 constexpr int widths = 32;
-constexpr int width_degree = 4;  // of the polynomials in c
 
-/// Normal equations of the powers of c of one order.
-struct Parabola {
-  Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
-};
-
-double explained_power(const PowerView& view, const WindowLobe& lobe, double k, double middle_c,
-                       double half_c) {
-  std::map<int, Parabola> orders;
-  const double half = std::min(lobe_half_widths * lobe.half_width_per_um(), k / 2);
-  for (Eigen::Index row = 0; row < view.rows(); ++row)
-    for (Eigen::Index col = 0; col < view.cols(); ++col) {
-      const double order = std::round(view.q_per_um(row, col) / k);
-      const double apart = view.q_per_um(row, col) - order * k;
-      if (order == 0 || !(std::abs(apart) <= half)) continue;
-      const double x = (view.c_per_um(row, col) - middle_c) / half_c;
-      const double own = lobe(apart) * lobe(apart);
-      const Eigen::Vector3d column = own * Eigen::Vector3d(1, x, x * x);
-      Parabola& parabola = orders[static_cast<int>(order)];
-      parabola.products += column * column.transpose();
-      parabola.right += view.power(row, col) * column;
-    }
-  double explained = 0;
-  for (const auto& entry : orders) {
-    const Parabola& parabola = entry.second;
-    // Few cells may not determine a parabola: held by 1e-9 of the first column.
-    const Eigen::Matrix3d held =
-        parabola.products + 1e-9 * parabola.products(0, 0) * Eigen::Matrix3d::Identity();
-    if (parabola.products(0, 0) > 0)
-      explained += parabola.right.dot(held.ldlt().solve(parabola.right));
-  }
-  return explained;
+/// What the columns leave of a target [sum of squares].
+double left_of(const Eigen::VectorXd& target, const Eigen::MatrixXd& columns) {
+  if (columns.cols() == 0) return target.squaredNorm();
+  return (target - columns * columns.colPivHouseholderQr().solve(target)).squaredNorm();
 }
 
-/// What lobes of a width leave of an order's power, of its peak.
-double left_by_width(const OrderCells& cells, const WindowLobe& lobe, double k, double width) {
-  const Eigen::ArrayXd own = (cells.q_per_um - cells.order * k).unaryExpr([&](double q) {
-    const double w = lobe(q / width);
-    return w * w;
-  });
-  const double range = std::max(cells.c_high_per_um - cells.c_low_per_um, 1e-12);
-  const Eigen::ArrayXd x = (2 * cells.c_per_um - cells.c_low_per_um - cells.c_high_per_um) / range;
-  const int degree = std::min(width_degree, static_cast<int>(cells.row_count()) / 2);
-  Eigen::MatrixXd columns(cells.size(), degree + 1);
-  Eigen::ArrayXd power = own;
-  for (int i = 0; i <= degree; ++i, power *= x) columns.col(i) = power;
-  const Eigen::VectorXd target = (cells.power / cells.peak).matrix();
-  return (target - columns * columns.colPivHouseholderQr().solve(target)).squaredNorm();
+/// Whether the mirror's lobe reaches into the cells of an order.
+bool is_beside_mirror(const OrderCells& cells, const WindowLobe& lobe, double k, double half) {
+  return std::pow(lobe.core(std::abs(cells.order) * k - half), 2) > mirror_power;
+}
+
+double explained_by_lobes(const PowerView& view, const WindowLobe& lobe, double k) {
+  const double half = std::min(half_widths * lobe.half_width_per_um(), k / 2);
+  double apart = 0, beside = 0;
+  for (const OrderCells& cells : cells_of_orders(view, k, half)) {
+    const Degrees degrees = bearable(cells, coarse);
+    const Eigen::MatrixXd own = lobe_columns(cells, degrees, lobe, k).leftCols(degrees.lobe + 1);
+    const Eigen::VectorXd target = cells.power.matrix();
+    (is_beside_mirror(cells, lobe, k, half) ? beside : apart) +=
+        target.squaredNorm() - left_of(target, own);
+  }
+  return apart > 0 ? apart : beside;
 }
 
 }  // namespace
 
 double best_start(const PowerView& view, const WindowLobe& lobe, double start_per_um) {
-  double low_c = view.c_per_um(0, 0), high_c = low_c;
   double highest_q = 0;
-  for (Eigen::Index row = 0; row < view.rows(); ++row) {
+  for (Eigen::Index row = 0; row < view.rows(); ++row)
     highest_q = std::max(
         {highest_q, std::abs(view.lowest_q_per_um(row)), std::abs(view.highest_q_per_um(row))});
-    for (Eigen::Index col = 0; col < view.cols(); ++col) {
-      low_c = std::min(low_c, view.c_per_um(row, col));
-      high_c = std::max(high_c, view.c_per_um(row, col));
-    }
-  }
-  const double middle_c = std::midpoint(low_c, high_c);
-  const double half_c = std::max((high_c - low_c) / 2, 1e-12);
   const double highest_order = std::max(1.0, std::floor(highest_q / start_per_um));
   const double range =
       start_per_um * std::max(least_relative_range, order_spacings / highest_order);
@@ -89,7 +56,7 @@ double best_start(const PowerView& view, const WindowLobe& lobe, double start_pe
   double best = start_per_um, most = -1;
   for (int i = -steps; i <= steps; ++i) {
     const double k = start_per_um + range * i / std::max(1, steps);
-    const double explained = explained_power(view, lobe, k, middle_c, half_c);
+    const double explained = explained_by_lobes(view, lobe, k);
     if (explained > most) {
       most = explained;
       best = k;
@@ -98,13 +65,16 @@ double best_start(const PowerView& view, const WindowLobe& lobe, double start_pe
   return best;
 }
 
-double relative_width(const std::vector<OrderCells>& orders, const WindowLobe& lobe, double k) {
+double relative_width(const std::vector<OrderProblem>& problems, const WindowLobe& lobe, double k) {
   const double ratio = std::pow(widest / narrowest, 1.0 / (widths - 1));
   std::vector<double> left(widths, 0);
   for (int i = 0; i < widths; ++i)
-    for (const OrderCells& cells : orders)
-      left[static_cast<std::size_t>(i)] +=
-          left_by_width(cells, lobe, k, narrowest * std::pow(ratio, i));
+    for (const OrderProblem& problem : problems) {
+      const Degrees degrees = bearable(problem.cells, coarse);
+      const double width = narrowest * std::pow(ratio, i);
+      left[static_cast<std::size_t>(i)] += left_of(
+          problem.cells.power.matrix(), lobe_columns(problem.cells, degrees, lobe, k, width));
+    }
   const auto least = std::min_element(left.begin(), left.end());
   auto at = static_cast<double>(least - left.begin());
   if (least != left.begin() && least + 1 != left.end()) {

@@ -1,7 +1,7 @@
 // Where the search for a period starts, and whether there is one.
 #pragma once
 
-#include "evaluation/period/ridge_cells.h"
+#include "evaluation/period/lobe_basis.h"
 
 namespace evaluation {
 
@@ -9,13 +9,15 @@ namespace evaluation {
 /// orders: the sidelobes make local optima for a solver, so K is scanned in steps of a third of the
 /// lobe's half-width at the highest order in view.
 ///
-/// Searched: a tenth of an order's spacing at the highest order in view, but at least 3 %. The lobe
-/// of an order is W^2 times a parabola in c.
+/// Searched: a tenth of an order's spacing at the highest order in view, but at least 3 %. ///
+/// Searched: a tenth of an order's spacing at the highest order in view, but at least 3 %. What
+/// counts is the power that W^2 times parabolas in c explains around the orders, those left out
+/// that the mirror's lobe reaches, unless there is no other.
 double best_start(const PowerView& view, const WindowLobe& lobe, double start_per_um);
 
-/// Width of the lobes found at K over the window's own: the beta whose W(D / beta)^2 times
-/// polynomials in c leaves least of the cells, 0.6 to 8, refined by a parabola in its logarithm.
-double relative_width(const std::vector<OrderCells>& orders, const WindowLobe& lobe,
+/// Width of the lobes found at K over the window's own: the one that leaves least of the power of
+/// all cells, 0.6 to 8, refined by a parabola in its logarithm. Strong orders decide.
+double relative_width(const std::vector<OrderProblem>& problems, const WindowLobe& lobe,
                       double k_grating_per_um);
 
 }  // namespace evaluation

@@ -9,76 +9,97 @@
 namespace evaluation {
 namespace {
 
-constexpr int harmonics = 24;      // the sum over those left out is below 2 % of the whole
 constexpr int points = 97;         // over six half-widths of the lobe
 constexpr int trials = 60;         // periods on either side
-constexpr double half_widths = 3;  // cells, and copies that draw the period
-constexpr double deviations = 2;
+constexpr int places = 48;         // of the grating, over a period
+constexpr double half_widths = 3;  // cells
+constexpr int samples_of_pull = 512;
+/// The error is of first order only, and the true period is found just as far off as its error: a
+/// period counts that is no more than half as much again farther off.
+constexpr double slack = 1.5;
 
-/// rho(s), see the header.
-class CopyPull {
+/// g(x) h(x) / <z, z>: how an edge at x pulls, see the header.
+class EdgePull {
  public:
-  CopyPull(const WindowLobe& lobe, double k) : lobe_(lobe) {
+  EdgePull(const WindowLobe& lobe, double k)
+      : lobe_(lobe), step_um_(lobe.half_length_um() / samples_of_pull) {
     // An order whose neighbours are not the mirror.
-    cells_.order = 3;
+    OrderCells cells{};
+    cells.order = 3;
     const double half = std::min(half_widths * lobe.half_width_per_um(), k / 2);
-    offset_ = Eigen::ArrayXd::LinSpaced(points, -half, half);
-    cells_.q_per_um = 3 * k + offset_;
-    cells_.c_per_um = Eigen::ArrayXd::Zero(points);
-    cells_.c_low_per_um = cells_.c_high_per_um = 0;
+    const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(points, -half, half);
+    cells.q_per_um = 3 * k + t;
+    cells.c_per_um = Eigen::ArrayXd::Zero(points);
     const double step = 1e-3 * lobe.half_width_per_um();
-    own_ = offset_.unaryExpr([&](double t) { return lobe(t); });
+    const Eigen::ArrayXd own = t.unaryExpr([&](double q) { return lobe(q); });
     const Eigen::ArrayXd slope =
-        offset_.unaryExpr([&](double t) { return (lobe(t + step) - lobe(t - step)) / (2 * step); });
-    const Eigen::MatrixXd taken = lobe_columns(cells_, {0, 0}, lobe, k);
-    const Eigen::VectorXd all = (own_ * slope).matrix();
-    z_ = all - taken * taken.colPivHouseholderQr().solve(all);
-    squares_ = z_.squaredNorm();
+        t.unaryExpr([&](double q) { return (lobe(q + step) - lobe(q - step)) / (2 * step); });
+    const Eigen::MatrixXd taken = lobe_columns(cells, {0, 0}, lobe, k);
+    const Eigen::VectorXd all = (own * slope).matrix();
+    const Eigen::VectorXd z = all - taken * taken.colPivHouseholderQr().solve(all);
+    for (int i = 0; i <= samples_of_pull + 1; ++i) {
+      const double x_um = step_um_ * i;
+      pull_.push_back(lobe.illumination(x_um) * (own * (t * x_um).sin()).matrix().dot(z) /
+                      z.squaredNorm());
+    }
   }
 
-  double operator()(double s_per_um) const {
-    const Eigen::ArrayXd copy = offset_.unaryExpr([&](double t) { return lobe_(t - s_per_um); });
-    return (own_ * copy).matrix().dot(z_) / squares_;
+  /// h is odd, and linear between samples.
+  double operator()(double x_um) const {
+    const double at = std::abs(x_um) / step_um_;
+    const auto i = std::min(static_cast<std::size_t>(at), pull_.size() - 2);
+    const double value = std::lerp(pull_[i], pull_[i + 1], at - static_cast<double>(i));
+    return std::copysign(1.0, x_um) * value;
+  }
+
+  /// The error of a period if all edges erred by half a pixel to the worst side.
+  double bound(double pixel_um, double period_um) const {
+    double moved = 0, lit = 0;
+    for (double x_um = 0; x_um <= lobe_.half_length_um(); x_um += period_um) {
+      moved += std::abs((*this)(x_um));
+      lit += lobe_.illumination(x_um);
+    }
+    return lit > 0 ? pixel_um / 2 * moved / lit : 0;
+  }
+
+  /// Relative error of a period with an edge at place_um.
+  double error(double pixel_um, double period_um, double place_um) const {
+    const double end_um = lobe_.half_length_um();
+    double moved = 0, lit = 0;
+    for (double j = std::ceil((-end_um - place_um) / period_um);; ++j) {
+      const double x_um = place_um + j * period_um;
+      if (x_um > end_um) break;
+      const double pixels = x_um / pixel_um;
+      moved += (std::round(pixels) - pixels) * pixel_um * (*this)(x_um);
+      lit += lobe_.illumination(x_um);
+    }
+    return lit > 0 ? moved / lit : 0;
   }
 
  private:
   const WindowLobe& lobe_;
-  OrderCells cells_{};
-  Eigen::ArrayXd offset_, own_;
-  Eigen::VectorXd z_;
-  double squares_;
+  double step_um_;
+  std::vector<double> pull_;
 };
-
-double deviation_at(const CopyPull& pull, double pixel_um, double period_um) {
-  const double k = 2 * brdf::pi / period_um;
-  double variance = 0;
-  for (int m = 1; m <= harmonics; ++m) {
-    const double beat = m * period_um / pixel_um;
-    const double delta = beat - std::round(beat);
-    const double other = delta - std::copysign(1.0, delta);
-    for (const double apart : {delta, other}) {
-      const double moved = pixel_um * pull(apart * k) / (m * period_um * k);
-      variance += 2 * moved * moved;
-    }
-  }
-  return std::sqrt(variance);
-}
 
 }  // namespace
 
 double pixel_deviation(const WindowLobe& lobe, double pixel_um, double period_um) {
-  const double k = 2 * brdf::pi / period_um;
-  const CopyPull pull(lobe, k);
-  // A copy within the lobe's cells: delta K < 3 half-widths.
-  const double farthest =
-      std::min(0.5, half_widths * lobe.half_width_per_um() / k) * pixel_um / period_um;
+  const EdgePull pull(lobe, 2 * brdf::pi / period_um);
+  const auto largest_error = [&](double period) {
+    double largest = 0;
+    for (int i = 0; i < places; ++i)
+      largest = std::max(largest, std::abs(pull.error(pixel_um, period, period * i / places)));
+    return largest;
+  };
+  const double farthest = slack * pull.bound(pixel_um, period_um);
   double largest = 0;
   for (int i = -trials; i <= trials; ++i) {
     const double apart = farthest * i / trials;
-    const double deviation = deviation_at(pull, pixel_um, period_um * (1 + apart));
-    if (std::abs(apart) <= deviations * deviation) largest = std::max(largest, deviation);
+    const double error = largest_error(period_um * (1 + apart));
+    if (std::abs(apart) <= slack * error) largest = std::max(largest, error);
   }
-  return largest;
+  return largest / std::sqrt(3.0);
 }
 
 }  // namespace evaluation

@@ -9,8 +9,8 @@
 namespace evaluation {
 namespace {
 
-/// The table reaches as far as cells are taken, and some more.
-constexpr double reach_half_widths = 4;
+/// The table reaches beyond the cells that are taken, also where narrower lobes are tried.
+constexpr double reach_half_widths = 6;
 
 /// Samples at h / extent: the transform of an extent is band-limited to half of it, and a cubic
 /// through four samples is off by at most (h / 2)^4 3 / 128 = 9e-9.
@@ -42,7 +42,7 @@ double Illumination::lobe(double q_per_um) const {
          axis_lobe(model, window, y, q_per_um * line.sin_azimuth);
 }
 
-WindowLobe::WindowLobe(const Illumination& lit, double least_reach_per_um)
+WindowLobe::WindowLobe(const Illumination& lit)
     : illumination_(lit),
       half_width_per_um_(lobe_half_width_per_um(lit.model, lit.window, lit.x, lit.y, lit.line)) {
   if (!std::isfinite(half_width_per_um_))
@@ -57,7 +57,7 @@ WindowLobe::WindowLobe(const Illumination& lit, double least_reach_per_um)
   half_length_um_ = lit_um(lit, axis) * share / 2;
   const double extent_um = lit_um(lit, lit.x) * cosine + lit_um(lit, lit.y) * sine;
   step_per_um_ = samples_of_extent / extent_um;
-  reach_per_um_ = std::max(reach_half_widths * half_width_per_um_, least_reach_per_um);
+  reach_per_um_ = reach_half_widths * half_width_per_um_;
   const auto count = static_cast<int>(std::ceil(reach_per_um_ / step_per_um_)) + 4;
   for (int i = -1; i < count; ++i) samples_.push_back(lit.lobe(i * step_per_um_));
 }
@@ -71,6 +71,12 @@ double WindowLobe::operator()(double q_per_um) const {
   const double* s = samples_.data() + i;  // at -1, 0, 1, 2 steps from i
   return -s[0] * f * (f - 1) * (f - 2) / 6 + s[1] * (f + 1) * (f - 1) * (f - 2) / 2 -
          s[2] * (f + 1) * f * (f - 2) / 2 + s[3] * (f + 1) * f * (f - 1) / 6;
+}
+
+double WindowLobe::illumination(double x_um) const {
+  if (!(std::abs(x_um) <= half_length_um_)) return 0;
+  if (illumination_.model == brdf::SurfaceModel::replicated) return 1;
+  return illumination_.window.spatial(x_um);
 }
 
 double WindowLobe::core(double q_per_um) const {

@@ -22,9 +22,8 @@ struct Illumination {
 /// far: the sidelobes of its cut edges.
 class WindowLobe {
  public:
-  /// least_reach_per_um: up to where it is tabulated at least. Throws Errc::not_attainable where
-  /// there is no lobe: a single pixel along the line.
-  WindowLobe(const Illumination& illumination, double least_reach_per_um);
+  /// Throws Errc::not_attainable where there is no lobe: a single pixel along the line.
+  explicit WindowLobe(const Illumination& illumination);
 
   /// W at abs(q) <= reach(); beyond it, of `Illumination`. Within 1e-8 of the peak (cubic through
   /// samples at extent h = 0.05).
@@ -35,6 +34,8 @@ class WindowLobe {
   double reach_per_um() const { return reach_per_um_; }
   /// Half of the length that is lit along the line [um]: sidelobes are sines of q times it.
   double half_length_um() const { return half_length_um_; }
+  /// The illumination at a distance from the middle along the line, 1 there.
+  double illumination(double x_um) const;
   /// The sidelobes of a cut edge at q are at most this over q [rad/um]: 2 g(edge) / Int g; 0 of the
   /// periodic model.
   double edge_per_um() const { return edge_per_um_; }
