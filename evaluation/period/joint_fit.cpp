@@ -38,7 +38,7 @@ double reach_of_cells(const WindowLobe& lobe, double k, double lobes) {
 std::vector<OrderProblem> problems_at(const PowerView& view, const WindowLobe& lobe, double k,
                                       double lobes) {
   std::vector<OrderProblem> problems;
-  for (OrderCells& cells : cells_of_orders(view, k, reach_of_cells(lobe, k, lobes))) {
+  for (OrderCells& cells : cells_of_orders(view, lobe, k, reach_of_cells(lobe, k, lobes))) {
     OrderProblem problem{std::move(cells), {2, 1}, 1, {}};
     problem.degrees = bearable(problem.cells, problem.degrees);
     problem.scale = problem.cells.peak;

@@ -15,6 +15,7 @@ constexpr double smallest_family = 1e-6;
 constexpr double worth_a_step = 0.8;
 constexpr std::array degrees_tried{1, 2, 3, 4, 6, 8, 10, 12, 14, 16, 18};
 constexpr int most_neighbours = 6;
+constexpr int most_families = 12;  // of neighbours
 
 /// T_0 ... T_degree of c on its range, a column each.
 Eigen::ArrayXXd chebyshev(const OrderCells& cells, int degree) {
@@ -42,8 +43,18 @@ std::vector<Eigen::ArrayXd> neighbour_families(const OrderCells& cells, const Ei
   const double edge = lobe.edge_per_um() / k;
   const Eigen::ArrayXd phase = d * lobe.half_length_um();
   const Eigen::ArrayXd cosine = edge * phase.cos() * w, sine = edge * phase.sin() * w;
-  std::vector<Eigen::ArrayXd> families{w * above, w * below, above * above,  below * below,
-                                       cosine,    sine,      cosine * d / k, sine * d / k};
+  const Eigen::ArrayXd even = Eigen::ArrayXd::Constant(d.size(), edge * edge);
+  std::vector<Eigen::ArrayXd> families{w * above,
+                                       w * below,
+                                       above * above,
+                                       below * below,
+                                       cosine,
+                                       sine,
+                                       cosine * d / k,
+                                       sine * d / k,
+                                       even,
+                                       even * (2 * phase).cos(),
+                                       even * (2 * phase).sin()};
   if (std::abs(cells.order) > 1) families.push_back(w * core(cells.order * k));
   std::erase_if(families,
                 [](const Eigen::ArrayXd& f) { return !(f.abs().maxCoeff() > smallest_family); });
@@ -89,8 +100,8 @@ Eigen::VectorXd residual_left(const OrderProblem& problem, const WindowLobe& lob
 
 Degrees bearable(const OrderCells& cells, Degrees degrees) {
   const int most = static_cast<int>(cells.row_count()) / 2;
-  // Nine families at most, and three cells to a coefficient.
-  const int neighbours = static_cast<int>(cells.size() / 3 - most - 1) / 9 - 1;
+  // Three cells to a coefficient.
+  const int neighbours = static_cast<int>(cells.size() / 3 - most - 1) / most_families - 1;
   return {std::clamp(degrees.lobe, 1, std::max(1, most)),
           std::clamp(degrees.neighbours, 0, std::max(0, std::min(neighbours, most / 2)))};
 }

@@ -32,7 +32,7 @@ struct OrderProblem {
 /// G
 ///   the lobe less its sidelobes;
 /// - the sidelobes of all other orders together: a cut edge makes e / (q - mK) sin or cos of q L/2,
-///   whatever m: W(D) e {cos, sin}(D L/2) {1, D/K}.
+///   whatever m: W(D) e {cos, sin}(D L/2) {1, D/K}, and their products e^2 {1, cos, sin}(D L).
 /// Families that are nowhere above 1e-6 of the lobe's peak are left out. The first columns are
 /// those of P_n. width: of the order's own lobe over the window's, W(D / width)^2.
 Eigen::MatrixXd lobe_columns(const OrderCells& cells, const Degrees& degrees,

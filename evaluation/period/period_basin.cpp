@@ -14,6 +14,7 @@ constexpr double half_widths = 3;  // of the lobe, where cells are taken
 constexpr Degrees coarse{2, 1};
 /// Of the mirror's peak: an order beside it may be weaker than what is left of that.
 constexpr double mirror_power = 1e-6;
+constexpr double least_power = 1e-300;  // no division by 0
 constexpr double narrowest = 0.6, widest = 8;
 constexpr int widths = 32;
 
@@ -28,17 +29,34 @@ bool is_beside_mirror(const OrderCells& cells, const WindowLobe& lobe, double k,
   return std::pow(lobe.core(std::abs(cells.order) * k - half), 2) > mirror_power;
 }
 
+/// What an order's cells leave unexplained.
+double left_of_order(const OrderCells& cells, const WindowLobe& lobe, double k, bool is_separate) {
+  const Degrees degrees = bearable(cells, coarse);
+  if (is_separate)  // sidelobes alone could pass for any lobe
+    return left_of(cells.power.matrix(),
+                   lobe_columns(cells, degrees, lobe, k).leftCols(degrees.lobe + 1));
+  const OrderProblem problem{cells, degrees, 1,
+                             std::vector<double>(static_cast<std::size_t>(cells.size()), 1.0)};
+  return residual_left(problem, lobe, k).squaredNorm();
+}
+
 double explained_by_lobes(const PowerView& view, const WindowLobe& lobe, double k) {
-  const double half = std::min(half_widths * lobe.half_width_per_um(), k / 2);
-  double apart = 0, beside = 0;
-  for (const OrderCells& cells : cells_of_orders(view, k, half)) {
-    const Degrees degrees = bearable(cells, coarse);
-    const Eigen::MatrixXd own = lobe_columns(cells, degrees, lobe, k).leftCols(degrees.lobe + 1);
-    const Eigen::VectorXd target = cells.power.matrix();
-    (is_beside_mirror(cells, lobe, k, half) ? beside : apart) +=
-        target.squaredNorm() - left_of(target, own);
+  struct Sums {
+    double explained = 0, all = 0;
+  };
+  Sums apart, beside;
+  const double wanted = half_widths * lobe.half_width_per_um();
+  const bool is_separate = wanted < k / 2;
+  const double half = std::min(wanted, k / 2);
+  for (const OrderCells& cells : cells_of_orders(view, lobe, k, half)) {
+    Sums& sums = is_beside_mirror(cells, lobe, k, half) ? beside : apart;
+    const double all = cells.power.square().sum();
+    sums.explained += all - left_of_order(cells, lobe, k, is_separate);
+    sums.all += all;
   }
-  return apart > 0 ? apart : beside;
+  const Sums& sums = apart.all > 0 ? apart : beside;
+  // Cells that do not cover all between the orders count by what they catch.
+  return is_separate ? sums.explained : sums.explained / std::max(sums.all, least_power);
 }
 
 }  // namespace

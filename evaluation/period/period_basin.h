@@ -9,10 +9,10 @@ namespace evaluation {
 /// orders: the sidelobes make local optima for a solver, so K is scanned in steps of a third of the
 /// lobe's half-width at the highest order in view.
 ///
-/// Searched: a tenth of an order's spacing at the highest order in view, but at least 3 %. ///
 /// Searched: a tenth of an order's spacing at the highest order in view, but at least 3 %. What
-/// counts is the power that W^2 times parabolas in c explains around the orders, those left out
-/// that the mirror's lobe reaches, unless there is no other.
+/// counts is the power that W^2 times parabolas in c explains around the orders; where neighbours
+/// overlap, the part that the whole model explains (lobe_basis.h). Orders that the mirror's lobe
+/// reaches are left out, unless there is no other.
 double best_start(const PowerView& view, const WindowLobe& lobe, double start_per_um);
 
 /// Width of the lobes found at K over the window's own: the one that leaves least of the power of

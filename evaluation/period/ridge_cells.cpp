@@ -61,6 +61,40 @@ RowCells cells_around(const PowerView& view, Eigen::Index row, double q_per_um,
   return found;
 }
 
+/// Largest power of the mirror's lobe.
+double mirror_power(const PowerView& view, double half_width_per_um) {
+  double largest = 0;
+  for (Eigen::Index row = 0; row < view.rows(); ++row)
+    for (Eigen::Index col = 0; col < view.cols(); ++col)
+      if (std::abs(view.q_per_um(row, col)) <= half_width_per_um)
+        largest = std::max(largest, view.power(row, col));
+  return largest;
+}
+
+/// Leaves the orders that stand above what leaks into them.
+void leave_standing(std::vector<OrderCells>& orders, const WindowLobe& lobe, double k,
+                    double mirror) {
+  constexpr double standing = 4;
+  const auto leak = [&](double q_per_um) {
+    const double side = lobe.edge_per_um() / q_per_um, core = lobe.core(q_per_um);
+    return side * side + core * core;
+  };
+  std::vector<double> over(orders.size());
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    double leaked = mirror * leak(orders[i].order * k);
+    for (const OrderCells& other : orders)
+      if (other.order != orders[i].order)
+        leaked += other.middle * leak((other.order - orders[i].order) * k);
+    over[i] = orders[i].middle - standing * leaked;
+  }
+  const double best = over.empty() ? 0 : *std::max_element(over.begin(), over.end());
+  std::size_t at = 0;
+  std::erase_if(orders, [&](const OrderCells&) {
+    const double above = over[at++];
+    return !(above > 0 || above == best);
+  });
+}
+
 }  // namespace
 
 PowerView::PowerView(const ResponseMatrix& response, const JointScene& scene,
@@ -105,8 +139,8 @@ std::size_t OrderCells::row_count() const {
   return count;
 }
 
-std::vector<OrderCells> cells_of_orders(const PowerView& view, double k_grating_per_um,
-                                        double half_width_per_um) {
+std::vector<OrderCells> cells_of_orders(const PowerView& view, const WindowLobe& lobe,
+                                        double k_grating_per_um, double half_width_per_um) {
   double lowest = 0, highest = 0;
   for (Eigen::Index row = 0; row < view.rows(); ++row) {
     lowest = std::min(lowest, view.lowest_q_per_um(row));
@@ -118,7 +152,7 @@ std::vector<OrderCells> cells_of_orders(const PowerView& view, double k_grating_
   for (int order = first; order <= last; ++order) {
     if (order == 0) continue;
     std::vector<double> q, c, power;
-    OrderCells cells{order, {}, {}, {}, {}, 0, 0, 0, 0};
+    OrderCells cells{order, {}, {}, {}, {}, 0, 0, 0, 0, 0};
     for (Eigen::Index row = 0; row < view.rows(); ++row) {
       const RowCells found = cells_around(view, row, order * k_grating_per_um, half_width_per_um);
       for (const Eigen::Index col : found.cols) {
@@ -127,6 +161,8 @@ std::vector<OrderCells> cells_of_orders(const PowerView& view, double k_grating_
         power.push_back(view.power(row, col));
         cells.row.push_back(row);
         cells.floor = std::max(cells.floor, view.floor(row, col));
+        if (std::abs(q.back() - order * k_grating_per_um) <= lobe.half_width_per_um() / 2)
+          cells.middle = std::max(cells.middle, power.back());
       }
     }
     if (cells.row_count() < fewest_rows) continue;
@@ -139,6 +175,7 @@ std::vector<OrderCells> cells_of_orders(const PowerView& view, double k_grating_
     cells.peak = cells.power.maxCoeff();
     if (cells.peak > 0) orders.push_back(std::move(cells));
   }
+  leave_standing(orders, lobe, k_grating_per_um, mirror_power(view, lobe.half_width_per_um()));
   return orders;
 }
 

@@ -54,16 +54,19 @@ struct OrderCells {
   std::vector<Eigen::Index> row;  ///< of each cell, in the view
   double c_low_per_um, c_high_per_um;
   double peak, floor;  ///< the largest power, and that of the response's floor there
+  double middle;       ///< the largest power within half a half-width of the lobe
 
   Eigen::Index size() const { return power.size(); }
   std::size_t row_count() const;
 };
 
 /// The cells within half_width of each order but 0, in the rows that hold all of that stretch and
-/// rise above the floor there; orders with fewer than 3 such rows are left out.
+/// rise above the floor there. Left out are orders with fewer than 3 such rows, and those that what
+/// leaks into them could make: in their middle no brighter than 4 times sum_m P_m of the other
+/// orders' lobes there, sidelobes or core (amplitudes may add; the brightest of all is kept).
 ///
 /// More than 15 cells a row are thinned evenly: five to a half-width of the lobe determine it.
-std::vector<OrderCells> cells_of_orders(const PowerView& view, double k_grating_per_um,
-                                        double half_width_per_um);
+std::vector<OrderCells> cells_of_orders(const PowerView& view, const WindowLobe& lobe,
+                                        double k_grating_per_um, double half_width_per_um);
 
 }  // namespace evaluation
