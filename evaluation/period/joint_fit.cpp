@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "brdf/error.h"
@@ -21,6 +22,9 @@ constexpr double half_widths = 3, fewer_half_widths = 2.2;
 constexpr int rounds = 3, reweighings = 3;
 /// Rounds end where K moves by less than this part of the lobe's half-width.
 constexpr double settled = 1e-6;
+/// No step is told apart below this part of the lobe's half-width: the ridge of 1e-6 and families
+/// left out below 1e-6 (lobe_basis.h) may act together.
+constexpr double rounding = 1e-5;
 constexpr double widest_lobe = 2.5, least_explained = 0.5;
 constexpr double widest_interval = 0.1;
 /// The next richer model has this much higher degrees.
@@ -32,6 +36,13 @@ double reach_of_cells(const WindowLobe& lobe, double k, double lobes) {
 
 [[noreturn]] void refuse(const std::string& what) {
   throw Error(Errc::not_attainable, what);
+}
+
+brdf::LineDirection line_of(const JointScene& scene) {
+  // Also where the light stands above the patch.
+  const brdf::Direction along = brdf::direction(brdf::Angle::deg(45), scene.phi_i);
+  const double length = std::hypot(along.x(), along.y());
+  return {along.x() / length, along.y() / length};
 }
 
 /// Orders with degrees and weights for a K.
@@ -87,7 +98,7 @@ Component model_change(const std::vector<OrderProblem>& problems, const PowerVie
   const double by_cells =
       std::abs(step_from(problems_at(view, lobe, k, fewer_half_widths), lobe, k));
   // Two differences are looked at and the larger is kept.
-  return {std::max(by_degrees, by_cells), 2};
+  return {std::max({by_degrees, by_cells, rounding * lobe.half_width_per_um()}), 2};
 }
 
 void require_single_period(const JointFit& fit) {
@@ -103,6 +114,15 @@ void require_single_period(const JointFit& fit) {
     says("the lobes are " + brdf::text(std::round(10 * fit.relative_width) / 10) +
              " times as wide as the window's",
          "at most 2.5 times are one period's");
+}
+
+/// Relative deviation by the rounding of edges to pixels.
+double pixel_part(const JointScene& scene, const WindowLobe& lobe, double k) {
+  if (scene.relief == Relief::smooth) return 0;
+  const brdf::LineDirection along = line_of(scene);
+  const double pixel_um = std::max(scene.x.pixel_um * std::abs(along.cos_azimuth),
+                                   scene.y.pixel_um * std::abs(along.sin_azimuth));
+  return pixel_deviation(lobe, pixel_um, 2 * brdf::pi / k);
 }
 
 JointFit::Uncertainty in_nm(double nm_per_unit, const ScoreErrors& errors, double pixel,
@@ -122,11 +142,8 @@ JointFit fit_period_jointly(const ResponseMatrix& response, const JointScene& sc
     refuse("a period needs at least 3 wavelengths, the response has " +
            std::to_string(response.lambda_nm.size()));
   const PowerView view(response, scene, most_rows);
-  const brdf::Direction along = brdf::direction(brdf::Angle::deg(45), scene.phi_i);
-  const double length = std::hypot(along.x(), along.y());
   const double guess = 2 * brdf::pi / start.um();
-  const WindowLobe lobe(
-      {scene.model, scene.window, scene.x, scene.y, {along.x() / length, along.y() / length}});
+  const WindowLobe lobe({scene.model, scene.window, scene.x, scene.y, line_of(scene)});
 
   double k = best_start(view, lobe, guess);
   std::vector<OrderProblem> problems;
@@ -151,11 +168,7 @@ JointFit fit_period_jointly(const ResponseMatrix& response, const JointScene& sc
 
   const ScoreErrors errors = score_errors(row_scores(problems, lobe, k), view.rows());
   const Component model = model_change(problems, view, lobe, k);
-  const double pixel_um =
-      std::max(scene.x.pixel_um * std::abs(along.x()), scene.y.pixel_um * std::abs(along.y())) /
-      length;
-  const Component pixel{pixel_um > 0 ? k * pixel_deviation(lobe, pixel_um, 2 * brdf::pi / k) : 0,
-                        std::numeric_limits<double>::infinity()};
+  const Component pixel{k * pixel_part(scene, lobe, k), std::numeric_limits<double>::infinity()};
   const Component all = combined({errors.fit, errors.orders, errors.blocks, pixel, model});
   const double nm_per_unit = fit.period_nm / k;
   fit.uncertainty_nm = in_nm(nm_per_unit, errors, pixel.deviation, model.deviation);

@@ -17,7 +17,7 @@ enum class JointStatus {
 struct JointFit {
   double period_nm;
   /// Standard deviations of the period [nm], each from another source. Those that are 0 could not
-  /// be told: `orders` of a single order, `pixel` where the pixel is not known.
+  /// be told, or are nothing: `orders` of a single order, `pixel` of a smooth relief.
   struct Uncertainty {
     double fit;     ///< residuals, correlated within an order and a block of wavelengths
     double orders;  ///< disagreement of the orders and sides

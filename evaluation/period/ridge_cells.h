@@ -10,6 +10,12 @@
 
 namespace evaluation {
 
+/// What is known of the profile.
+enum class Relief {
+  may_have_edges,  ///< steps, whose places are rounded to pixels
+  smooth,          ///< nothing narrower than some pixels
+};
+
 /// How a response came about.
 struct JointScene {
   brdf::Angle theta_i, phi_i, phi_r;
@@ -19,6 +25,7 @@ struct JointScene {
   brdf::GaussianWindow window;
   brdf::SurfaceAxis x, y;  ///< of the patch, as of `brdf::x_axis`
   double floor = 0;  ///< largest value that the response's own error makes where nothing shines
+  Relief relief = Relief::may_have_edges;
 };
 
 /// A response as power over frequency: row by row, in the order of the wavelengths.
