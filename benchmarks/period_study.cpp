@@ -3,6 +3,8 @@
 //
 //   shedlight_period_study         a table of every case as CSV, then the summary in Markdown
 //   shedlight_period_study brief   the summary alone
+//   shedlight_period_study fresh   the same with other periods and depths, which the method was
+//                                  not made on
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -146,9 +148,9 @@ Outcome run(const Case& c) {
   return outcome;
 }
 
-std::vector<Case> cases() {
+/// factor: of all periods. turn: where the depths and starts begin to take turns.
+std::vector<Case> cases(double factor, std::size_t turn) {
   std::vector<Case> all;
-  std::size_t turn = 0;
   for (const Kind kind : kinds)
     for (const double period : periods_um)
       for (const double theta : angles_deg) {
@@ -157,7 +159,7 @@ std::vector<Case> cases() {
         const double start = 1 + 0.01 * (static_cast<double>(turn * 7 % 5) - 2) / 2;
         turn += 5 + (theta == 75 ? 1 : 0);
         for (const double sigma : sigmas_um)
-          all.push_back({kind, period, depth, theta, sigma, start});
+          all.push_back({kind, factor * period, depth, theta, sigma, start});
       }
   return all;
 }
@@ -239,7 +241,8 @@ void summarise(const char* what, const std::vector<Outcome>& outcomes, Belongs b
 
 int main(int argc, char** argv) {
   const bool brief = argc > 1 && std::string_view(argv[1]) == "brief";
-  const std::vector<Case> all = cases();
+  const bool fresh = argc > 1 && std::string_view(argv[1]) == "fresh";
+  const std::vector<Case> all = fresh ? cases(1.01931, 3) : cases(1, 0);
   std::vector<Outcome> outcomes(all.size());
   evaluation::parallel_for(all.size(), 2, [&](std::size_t i) { outcomes[i] = run(all[i]); });
   if (!brief) {
