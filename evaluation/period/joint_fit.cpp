@@ -19,7 +19,7 @@ using brdf::Error;
 constexpr Eigen::Index most_rows = 48;
 constexpr std::size_t fewest_wavelengths = 3;
 constexpr double half_widths = 3, fewer_half_widths = 2.2;
-constexpr int rounds = 3, reweighings = 3;
+constexpr int rounds = 3, reweighings = 3, choices = 2;
 /// Rounds end where K moves by less than this part of the lobe's half-width.
 constexpr double settled = 1e-6;
 /// No step is told apart below this part of the lobe's half-width: the ridge of 1e-6 and families
@@ -50,13 +50,15 @@ std::vector<OrderProblem> problems_at(const PowerView& view, const WindowLobe& l
                                       double lobes) {
   std::vector<OrderProblem> problems;
   for (OrderCells& cells : cells_of_orders(view, lobe, k, reach_of_cells(lobe, k, lobes))) {
-    OrderProblem problem{std::move(cells), {2, 1}, 1, {}};
+    OrderProblem problem{std::move(cells), {4, 1}, 1, {}};
     problem.degrees = bearable(problem.cells, problem.degrees);
     problem.scale = problem.cells.peak;
     problem.weight.assign(static_cast<std::size_t>(problem.cells.size()), 1.0);
-    // Rows that do not belong are told before the degrees are chosen by what is left.
-    reweigh(problem, lobe, k);
-    problem.degrees = degrees_for(problem.cells, problem.weight, lobe, k);
+    // Rows that do not belong are told before the degrees are chosen by what is left, and again.
+    for (int choice = 0; choice < choices; ++choice) {
+      for (int i = 0; i < reweighings; ++i) reweigh(problem, lobe, k);
+      problem.degrees = degrees_for(problem.cells, problem.weight, lobe, k);
+    }
     for (int i = 0; i < reweighings; ++i) reweigh(problem, lobe, k);
     problems.push_back(std::move(problem));
   }

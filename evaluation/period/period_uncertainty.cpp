@@ -17,7 +17,7 @@ Component grouped(const std::vector<RowScore>& scores, Key key_of) {
   std::map<decltype(key_of(scores.front())), double> groups;
   double information = 0;
   for (const RowScore& score : scores) {
-    groups[key_of(score)] += score.score;
+    groups[key_of(score)] += score.spread;
     information += score.information;
   }
   const auto count = static_cast<double>(groups.size());
@@ -36,10 +36,16 @@ std::vector<RowScore> row_scores(const std::vector<OrderProblem>& problems, cons
     const Eigen::VectorXd left = residual_left(problem, lobe, k);
     const Eigen::VectorXd slope = residual_slope(problem, lobe, k);
     const std::vector<Eigen::Index>& row = problem.cells.row;
+    // What the columns took of the noise is missing in what they left.
+    const auto count = static_cast<double>(problem.cells.size());
+    const auto taken =
+        static_cast<double>(lobe_columns(problem.cells, problem.degrees, lobe, k).cols());
+    const double missing = std::sqrt(count / std::max(1.0, count - taken));
     for (std::size_t i = 0; i < row.size(); ++i) {
-      if (i == 0 || row[i] != row[i - 1]) scores.push_back({problem.cells.order, row[i], 0, 0});
+      if (i == 0 || row[i] != row[i - 1]) scores.push_back({problem.cells.order, row[i], 0, 0, 0});
       const auto at = static_cast<Eigen::Index>(i);
       scores.back().score += left(at) * slope(at);
+      scores.back().spread += missing * left(at) * slope(at);
       scores.back().information += slope(at) * slope(at);
     }
   }

@@ -13,11 +13,12 @@ struct Component {
   double freedom;
 };
 
-/// What the rows of an order say of K: the weighted score J r and the information J^2.
+/// What the rows of an order say of K: the weighted score J r, the same times sqrt(n / (n - p)) for
+/// p columns fitted to n cells, and the information J^2.
 struct RowScore {
   int order;
   Eigen::Index row;
-  double score, information;
+  double score, spread, information;
 };
 
 std::vector<RowScore> row_scores(const std::vector<OrderProblem>& problems, const WindowLobe& lobe,
