@@ -51,6 +51,11 @@ struct JointFit {
 /// Measured on noise-free gratings of 0.8 to 5 um (benchmarks/results/period_study.md): smooth
 /// profiles to some 1e-6, sharp ones to what their pixels bear.
 ///
+/// The interval held the truth in 20 of 20 trials with noise of 2 % of the strongest cell on every
+/// cell (joint_fit.tests.cpp). Noise in proportion to the cells themselves (evenly up to 5 %) moved
+/// a period by 3e-5 to one side and 14 of 20 intervals of a smooth relief held it: such noise is
+/// not modelled.
+///
 /// Throws Errc::invalid_argument for a start that is not positive; Errc::not_attainable for fewer
 /// than 3 wavelengths, where no order but 0 stands above the floor in 3 of them, and where there is
 /// no single period: lobes more than 2.5 times as wide as the window's, or less than half

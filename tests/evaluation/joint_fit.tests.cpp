@@ -204,7 +204,8 @@ TEST_CASE("rows that do not belong hardly move the joint fit", "[invariant][join
       made.response.values(row, col) = 3 * made.response.values(row, col - 5);
   const JointFit fit = fit_period_jointly(made.response, made.scene, Length::um(1.92));
   CAPTURE(clean.period_nm, fit.period_nm, fit.low_nm, fit.high_nm);
-  CHECK(std::abs(fit.period_nm / clean.period_nm - 1) <= 1e-4);
+  // Without weights of the rows it is 3e-5, with them 1e-7.
+  CHECK(std::abs(fit.period_nm / clean.period_nm - 1) <= 1e-6);
   CHECK(holds(fit, 1.9127));
 }
 
@@ -212,12 +213,14 @@ TEST_CASE("noise on the cells is held by the interval", "[oracle][joint_fit]") {
   Swept clean = swept(grating(Profile::sinusoid, 1.4442, 200));
   clean.scene.relief = evaluation::Relief::smooth;
   std::mt19937_64 generator(11);
+  // Evenly spread over 2 % of the strongest cell in view.
+  const double level = 0.02 * clean.response.values.maxCoeff();
   int held = 0;
   constexpr int trials = 20;
   for (int trial = 0; trial < trials; ++trial) {
     Swept made = clean;
     for (double& value : made.response.values.reshaped())
-      value *= 1 + 0.1 * (static_cast<double>(generator() >> 11) * 0x1p-53 - 0.5);
+      value += level * (static_cast<double>(generator() >> 11) * 0x1p-53 - 0.5);
     held += holds(fit_period_jointly(made.response, made.scene, Length::um(1.45)), 1.4442) ? 1 : 0;
   }
   // 19 of 20 are to be expected; 16 or fewer have a chance of 1.6 %.
