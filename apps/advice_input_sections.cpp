@@ -13,10 +13,6 @@ using evaluation::AdviceScene;
 using evaluation::HeightPeriod;
 using evaluation::Json;
 
-double nm(double um) {
-  return brdf::Length::um(um).nm();
-}
-
 Section sampling(const Advice& advice, const AdviceScene& scene) {
   const evaluation::SamplingAdvice& found = advice.sampling;
   const bool is_sampled = found.verdict == evaluation::SamplingVerdict::sampled;

@@ -36,10 +36,6 @@ const Choices<brdf::TablePlace> place_words{{"below", brdf::TablePlace::below},
                                             {"inside", brdf::TablePlace::inside},
                                             {"beyond", brdf::TablePlace::beyond}};
 
-double nm(double um) {
-  return brdf::Length::um(um).nm();
-}
-
 std::string window_sentence(WindowVerdict verdict) {
   switch (verdict) {
     case WindowVerdict::smooth:

@@ -6,6 +6,10 @@
 
 namespace apps {
 
+double nm(double um) {
+  return brdf::Length::um(um).nm();
+}
+
 std::string short_text(double value) {
   return std::isfinite(value) ? fmt::format("{:.3g}", value) : "any";
 }

@@ -43,6 +43,9 @@ std::vector<Section> optics_sections(const evaluation::Advice& advice,
 std::vector<Section> sweep_sections(const evaluation::Advice& advice,
                                     const evaluation::AdviceScene& scene);
 
+/// Nanometres of a length [um].
+double nm(double um);
+
 /// Three digits; "any" for infinity.
 std::string short_text(double value);
 

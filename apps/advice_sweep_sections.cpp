@@ -45,7 +45,7 @@ Json orders_json(const evaluation::OrdersOfPeriod& orders, const Advice& advice)
                        {"theta_r_deg", order.theta_r.deg()},
                        {"out_of_plane_deg", order.out_of_plane.deg()}});
   return {{"period_um", advice.surface.periods[orders.period].period.um()},
-          {"lambda_nm", brdf::Length::um(orders.lambda_um).nm()},
+          {"lambda_nm", nm(orders.lambda_um)},
           {"first", orders.first},
           {"last", orders.last},
           {"in_view", orders.in_view},
@@ -86,14 +86,13 @@ Section orders(const Advice& advice) {
                        "period the shortest and the longest wavelength"}};
   for (std::size_t i = 0; i < std::min<std::size_t>(found.cases.size(), 2); ++i) {
     const evaluation::OrdersOfPeriod& orders = found.cases[i];
-    section.findings.push_back(
-        {i == 0 ? "shortest" : "longest",
-         {orders.first, orders.last},
-         "",
-         fmt::format("{:.4g} um, {:.4g} nm: m = {} to {}",
-                     advice.surface.periods[orders.period].period.um(),
-                     brdf::Length::um(orders.lambda_um).nm(), orders.first, orders.last),
-         "|sin theta_r| <= 1" + nearest_text(orders)});
+    section.findings.push_back({i == 0 ? "shortest" : "longest",
+                                {orders.first, orders.last},
+                                "",
+                                fmt::format("{:.4g} um, {:.4g} nm: m = {} to {}",
+                                            advice.surface.periods[orders.period].period.um(),
+                                            nm(orders.lambda_um), orders.first, orders.last),
+                                "|sin theta_r| <= 1" + nearest_text(orders)});
   }
   return section;
 }

@@ -6,6 +6,7 @@
 #include "apps/advice_report.h"
 #include "apps/commands/commands.h"
 #include "apps/commands/illuminated_options.h"
+#include "apps/commands/scene_options.h"
 #include "apps/console.h"
 #include "apps/memory_limit.h"
 #include "apps/quantities.h"
@@ -144,10 +145,7 @@ void run(AdviseOptions options) {
   }
   Json all{{"file", options.heights.file}, {"sha256", input.sha256}};
   all["scene"] = options.heights.parameters(input.field);
-  all["scene"].update({{"theta_i_deg", scene.request.theta_i.deg()},
-                       {"phi_i_deg", scene.request.phi_i.deg()},
-                       {"theta_r_deg", axis_json(scene.request.theta_r_deg)},
-                       {"lambda_nm", axis_json(scene.request.lambda_nm)}});
+  all["scene"].update(scene_json(scene.request));
   all["scene"].update(illuminated_json(scene.surface));
   all.update(json(sections));
   all["command"] = joined(command);

@@ -6,6 +6,7 @@
 
 #include "tests/cli/height_files.h"
 #include "tests/cli/refusal.h"
+#include "tests/cli/sidecars.h"
 #include "tests/support/real_data.h"
 
 using nlohmann::json;
@@ -275,6 +276,18 @@ TEST_CASE("the sweep that is recommended runs as it is", "[cli][advise]") {
     CHECK(outcome.exit_code == 0);
     CHECK(outcome.err == "");
   }
+}
+
+TEST_CASE("the scene of the JSON is that of a sweep's sidecar", "[cli][advise]") {
+  const Scratch folder;
+  make(folder, "flat --size 9um --pixels 9");
+  const std::string scene =
+      "g.gsf --theta-i 30deg --phi-i 20deg --theta-r -10:10:5deg --lambda 500:510:5nm";
+  const json found = advise(folder, scene).at("scene");
+  folder.prepare("sweep " + scene + " -o R.csv");
+  const json expected = sidecar_of(folder, "R.csv").at("parameters");
+  for (const char* key : {"theta_i_deg", "phi_i_deg", "phi_r_deg", "theta_r_deg", "lambda_nm"})
+    CHECK(found.at(key) == expected.at(key));
 }
 
 TEST_CASE("the page fits a screen and says what the JSON says", "[cli][advise]") {
