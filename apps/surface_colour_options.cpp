@@ -1,3 +1,8 @@
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "apps/commands/method_options.h"
 #include "apps/quantities.h"
 #include "apps/surface_colours.h"
 
@@ -8,6 +13,16 @@ namespace {
 constexpr double default_tolerance = 1e-5;
 /// A tenth of a just noticeable difference.
 constexpr double default_colour_tolerance = 1e-3;
+
+/// The amplitude methods for colours: those that have every surface model.
+constexpr std::array<std::string_view, 3> colour_methods{"auto", "chebyshev", "direct"};
+
+std::string listed(const char* separator) {
+  std::string names;
+  for (const std::string_view name : colour_methods)
+    names.append(names.empty() ? "" : separator).append(name);
+  return names;
+}
 
 [[noreturn]] void refuse(const std::string& what) {
   throw brdf::Error(brdf::Errc::invalid_argument, what);
@@ -24,7 +39,7 @@ void SurfaceColourOptions::add_to(CLI::App* app) {
   illuminated_.add_to(app);
   app->add_option("--method", method_,
                   "how the amplitude is computed (default auto), or a model without diffraction")
-      ->type_name("auto|chebyshev|direct|" + GeometricOptions::names());
+      ->type_name(listed("|") + "|" + GeometricOptions::names());
   add_parsed(app, "--tolerance", tolerance_, parse_number,
              "largest error of the amplitude, flat patch's peak = 1 (default 1e-5)", "NUMBER");
   add_parsed(
@@ -60,17 +75,14 @@ OpticsOptions SurfaceColourOptions::resolved_optics() const {
 }
 
 void SurfaceColourOptions::require_consistent() const {
-  if (!(tolerance() > 0 && tolerance() < 1))
-    refuse("--tolerance " + brdf::text(tolerance()) + ": must lie between 0 and 1");
-  if (!(colour_tolerance() > 0 && colour_tolerance() < 1))
-    refuse("--colour-tolerance " + brdf::text(colour_tolerance()) + ": must lie between 0 and 1");
+  require_tolerance("--tolerance", tolerance());
+  require_tolerance("--colour-tolerance", colour_tolerance());
   if (colour_tolerance_ && (lambda_nm_ || selection_.orders_only))
     refuse(
         "--colour-tolerance chooses the wavelengths: it goes without --lambda and "
         "--orders-only");
-  const auto method_is = [&](const char* name) { return method_ == name; };
-  if (!is_geometric() && !method_is("auto") && !method_is("chebyshev") && !method_is("direct"))
-    refuse("--method " + method_ + ": must be one of auto, chebyshev, direct, " +
+  if (!is_geometric() && std::ranges::find(colour_methods, method_) == colour_methods.end())
+    refuse("--method " + method_ + ": must be one of " + listed(", ") + ", " +
            GeometricOptions::names());
   brdf::at_place("--quantity " + name_in(quantity_choices, quantity()),
                  [&] { return evaluation::white_scale(quantity()); });

@@ -7,6 +7,7 @@
 
 #include "apps/commands/commands.h"
 #include "apps/commands/illuminated_options.h"
+#include "apps/commands/method_options.h"
 #include "apps/commands/optics_options.h"
 #include "apps/commands/run_options.h"
 #include "apps/memory_limit.h"
@@ -48,7 +49,7 @@ void AlbedoOptions::add_to(CLI::App* app) {
       ->required();
   illuminated.add_to(app);
   app->add_option("--method", method, "how the amplitude is computed (default auto)")
-      ->type_name("direct|auto|chebyshev|taylor|pq");
+      ->type_name(amplitude_methods());
   add_parsed(app, "--tolerance", tolerance, parse_number,
              "largest error of the amplitude, flat patch's peak = 1 (default 1e-9)", "NUMBER");
   optics.add_to(app);
@@ -62,8 +63,7 @@ void AlbedoOptions::require_consistent() const {
   };
   require_not_given({{optics.quantity.has_value(), "--quantity"}},
                     "an albedo, which is that of the BRDF");
-  if (!(tolerance > 0 && tolerance < 1))
-    refuse("--tolerance " + brdf::text(tolerance) + ": must lie between 0 and 1");
+  require_tolerance("--tolerance", tolerance);
   for (const double theta : {theta_i_deg->front(), theta_i_deg->back()})
     if (!(std::abs(theta) < 90))
       refuse("--theta-i " + brdf::text(theta) + " deg: must lie between -90 and 90 deg");

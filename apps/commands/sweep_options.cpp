@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "apps/commands/method_options.h"
 #include "apps/quantities.h"
 #include "brdf/error.h"
 #include "evaluation/sweep.h"
@@ -54,8 +55,7 @@ void require_consistent(const SweepOptions& options, const evaluation::Method& m
     require_knob("--window-radius", evaluation::Knob::window_radius);
   if (options.settings.interpolation)
     require_knob("--interpolation", evaluation::Knob::interpolation);
-  if (options.tolerance && !(*options.tolerance > 0 && *options.tolerance < 1))
-    refuse("--tolerance " + brdf::text(*options.tolerance) + ": must lie between 0 and 1");
+  if (options.tolerance) require_tolerance("--tolerance", *options.tolerance);
 }
 
 /// Who gives the knobs of one of the sources' series means that series.
@@ -157,16 +157,12 @@ brdf::Surface SweepOptions::surface(const brdf::HeightField& field) const {
 namespace {
 
 void add_method(CLI::App* sweep, SweepOptions& options) {
-  std::string names;
-  for (const evaluation::Method& method : evaluation::methods())
-    names.append(names.empty() ? "" : "|").append(method.name);
-  names += "|" + GeometricOptions::names();
   sweep
       ->add_option(
           "--method", options.method,
           "how the amplitude is computed (default auto; taylor or pq where their options are "
           "given), or a model without diffraction")
-      ->type_name(names);
+      ->type_name(amplitude_methods() + "|" + GeometricOptions::names());
   add_parsed(sweep, "--tolerance", options.tolerance, parse_number,
              "largest error of the amplitude, flat patch's peak = 1 (default 1e-6)", "NUMBER");
   add_parsed(sweep, "--terms", options.settings.terms, count_between(1, 2000),
