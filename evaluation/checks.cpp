@@ -35,9 +35,7 @@ CheckTally::CheckTally(std::string subject, std::string range, std::string unit,
 
 void CheckTally::see(double error, double limit, const std::string& where) {
   if (!(error <= limit)) failed_ = true;
-  const double ratio = error / limit;
-  if (std::isnan(worst_ratio_) || ratio <= worst_ratio_) return;
-  worst_ratio_ = ratio;
+  if (!worst_ratio_.see(error / limit)) return;
   row_.worst = error;
   row_.limit = limit;
   row_.where = where;
@@ -50,10 +48,9 @@ void CheckTally::refused(const std::string& where, const std::string& why, Refus
 
 CheckRow CheckTally::row() const {
   CheckRow row = row_;
-  const bool computed = worst_ratio_ >= 0;
-  if (failed_ || (std::isnan(worst_ratio_)))
+  if (failed_ || std::isnan(worst_ratio_.value()))
     row.verdict = Verdict::failed;
-  else if (computed)
+  else if (worst_ratio_.has_seen_any())
     row.verdict = Verdict::passed;
   else
     row.verdict = row.first_refusal.empty() ? Verdict::failed : Verdict::refused;

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "evaluation/worst_error.h"
+
 namespace evaluation {
 
 enum class Verdict {
@@ -49,7 +51,7 @@ class CheckTally {
 
  private:
   CheckRow row_;
-  double worst_ratio_ = -1;
+  WorstError worst_ratio_;  ///< of error and limit
   bool failed_ = false;
 };
 

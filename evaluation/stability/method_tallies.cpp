@@ -1,10 +1,11 @@
 #include "evaluation/stability/method_tallies.h"
 
-#include <cmath>
-#include <limits>
+#include <algorithm>
+#include <complex>
 
 #include "brdf/taylor_bounds.h"
 #include "evaluation/stability/exact_amplitude.h"
+#include "evaluation/worst_error.h"
 
 namespace evaluation::stability {
 namespace {
@@ -27,14 +28,10 @@ Refusal refusal(const AmplitudeCase& one, MayRefuse may_refuse) {
 /// Largest error; NaN where one is.
 double worst_error(const std::vector<std::complex<double>>& amplitudes,
                    const std::vector<std::complex<long double>>& exact) {
-  double worst = 0;
-  for (std::size_t i = 0; i < exact.size(); ++i) {
-    const auto error =
-        static_cast<double>(std::abs(std::complex<long double>(amplitudes[i]) - exact[i]));
-    if (!(error <= worst)) worst = error;
-    if (std::isnan(worst)) break;
-  }
-  return worst;
+  WorstError worst;
+  for (std::size_t i = 0; i < exact.size(); ++i)
+    worst.see(static_cast<double>(std::abs(std::complex<long double>(amplitudes[i]) - exact[i])));
+  return worst.value();
 }
 
 }  // namespace

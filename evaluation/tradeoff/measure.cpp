@@ -8,6 +8,7 @@
 #include "evaluation/audit.h"
 #include "evaluation/diffraction.h"
 #include "evaluation/parallel.h"
+#include "evaluation/worst_error.h"
 
 namespace evaluation {
 namespace {
@@ -103,21 +104,25 @@ brdf::HeightArray power_of(const Amplitudes& amplitudes, const SweepRequest& req
 class ErrorSum {
  public:
   void add(double error) {
-    if (!(error <= std::numeric_limits<double>::max()))
-      error = std::numeric_limits<double>::infinity();
-    worst_ = std::max(worst_, error);
+    worst_.see(error);
     squares_ += error * error;
     ++count_;
   }
   /// With the error of the reference itself: by the triangle's inequality no smaller than that of
   /// the trial.
   void finish(TrialErrors& errors, double reference_error) const {
-    errors.worst = worst_ + reference_error;
-    errors.rms = std::sqrt(squares_ / static_cast<double>(count_)) + reference_error;
+    errors.worst = number_or_infinite(worst_.value()) + reference_error;
+    errors.rms =
+        number_or_infinite(std::sqrt(squares_ / static_cast<double>(count_))) + reference_error;
   }
 
  private:
-  double worst_ = 0, squares_ = 0;
+  static double number_or_infinite(double value) {
+    return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
+  }
+
+  WorstError worst_;
+  double squares_ = 0;
   std::size_t count_ = 0;
 };
 
