@@ -40,9 +40,8 @@ struct RingSums {
 
 }  // namespace
 
-AlbedoQuadrature::AlbedoQuadrature(const brdf::Surface& surface, const brdf::Direction& omega_i,
-                                   brdf::Length wavelength)
-    : omega_i_(omega_i), wavelength_(wavelength) {
+AlbedoQuadrature::AlbedoQuadrature(const brdf::Surface& surface, brdf::Length wavelength)
+    : wavelength_(wavelength) {
   const double lag_um = std::hypot(reach_um(surface, brdf::x_axis(surface)),
                                    reach_um(surface, brdf::y_axis(surface))) +
                         2 * surface.heights->half_range_um();
@@ -70,17 +69,25 @@ std::size_t AlbedoQuadrature::directions() const {
                                [](const Ring& ring) { return ring.count; });
 }
 
-brdf::QueryBounds AlbedoQuadrature::bounds(double tolerance) const {
+brdf::QueryBounds AlbedoQuadrature::bounds(std::span<const brdf::Direction> lights,
+                                           double tolerance) const {
   const double k = brdf::wavenumber_per_um(wavelength_);
-  const brdf::Query light{-k * omega_i_.x(), -k * omega_i_.y(), -k * omega_i_.z()};
+  std::vector<brdf::Query> of_light;  // without the viewer
+  for (const brdf::Direction& omega_i : lights)
+    of_light.push_back({-k * omega_i.x(), -k * omega_i.y(), -k * omega_i.z()});
+  brdf::QueryBounds bounds = brdf::bounds_of(of_light, tolerance);
   const double reach = k * (1 + 1e-12);  // sines and cosines are rounded
-  return {{light.qx_per_um - reach, light.qy_per_um - reach, light.c_per_um - reach},
-          {light.qx_per_um + reach, light.qy_per_um + reach, light.c_per_um},
-          directions(),
-          tolerance};
+  bounds.lo.qx_per_um -= reach;
+  bounds.lo.qy_per_um -= reach;
+  bounds.lo.c_per_um -= reach;
+  bounds.hi.qx_per_um += reach;
+  bounds.hi.qy_per_um += reach;
+  bounds.count = lights.size() * directions();
+  return bounds;
 }
 
-DirectionalAlbedo AlbedoQuadrature::integrate(const Amplitude& amplitude, const Optics& optics,
+DirectionalAlbedo AlbedoQuadrature::integrate(const brdf::Direction& omega_i,
+                                              const Amplitude& amplitude, const Optics& optics,
                                               const RunLimits& limits) const {
   std::vector<RingSums> sums(rings_.size());
   parallel_for(rings_.size(), limits.threads, [&](std::size_t i) {
@@ -91,13 +98,13 @@ DirectionalAlbedo AlbedoQuadrature::integrate(const Amplitude& amplitude, const 
     for (std::size_t j = 0; j < ring.count; ++j) {
       const double turn = static_cast<double>(j) / static_cast<double>(ring.count);
       views.push_back(direction_at(ring.theta_rad, 2 * brdf::pi * turn));
-      queries.push_back(brdf::query(omega_i_, views.back(), wavelength_));
+      queries.push_back(brdf::query(omega_i, views.back(), wavelength_));
     }
     std::vector<std::complex<double>> amplitudes(ring.count);
     amplitude.evaluate(queries, amplitudes);
     for (std::size_t j = 0; j < ring.count; ++j) {
       const double factor =
-          ring.weight * gain(optics, omega_i_, views[j], wavelength_) * views[j].z();
+          ring.weight * gain(optics, omega_i, views[j], wavelength_) * views[j].z();
       sums[i].albedo += factor * std::norm(amplitudes[j]);
       sums[i].gain += factor;
     }

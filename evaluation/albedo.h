@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "evaluation/diffraction.h"
@@ -24,7 +25,7 @@ struct DirectionalAlbedo {
   bool is_physical() const { return value <= 1 + physical_excess; }
 };
 
-/// The directions of one albedo and their weights; light and wavelength are given.
+/// The viewing directions of an albedo and their weights, at one wavelength, for any light.
 ///
 /// With r = sin theta_r the integrand is a band-limited function of the place on the disk: under
 /// the window it holds no lag beyond the patch, nor beyond where the window's own correlation
@@ -35,15 +36,14 @@ struct DirectionalAlbedo {
 class AlbedoQuadrature {
  public:
   /// Throws Errc::over_limit for more nodes than 1e9: many copies, or a wide window.
-  AlbedoQuadrature(const brdf::Surface& surface, const brdf::Direction& omega_i,
-                   brdf::Length wavelength);
+  AlbedoQuadrature(const brdf::Surface& surface, brdf::Length wavelength);
 
   std::size_t directions() const;
-  /// The box of all queries, with their number.
-  brdf::QueryBounds bounds(double tolerance) const;
+  /// The box of all queries of one albedo for each light, with their number: one plan serves all.
+  brdf::QueryBounds bounds(std::span<const brdf::Direction> lights, double tolerance) const;
   /// Throws Errc::over_limit past the time limit. The value is the same for any number of threads.
-  DirectionalAlbedo integrate(const Amplitude& amplitude, const Optics& optics,
-                              const RunLimits& limits) const;
+  DirectionalAlbedo integrate(const brdf::Direction& omega_i, const Amplitude& amplitude,
+                              const Optics& optics, const RunLimits& limits) const;
 
  private:
   struct Ring {
@@ -51,7 +51,6 @@ class AlbedoQuadrature {
     std::size_t count;  ///< of azimuths
   };
 
-  brdf::Direction omega_i_;
   brdf::Length wavelength_;
   std::vector<Ring> rings_;
 };

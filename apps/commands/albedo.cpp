@@ -104,12 +104,15 @@ std::string to_csv(const std::vector<Row>& rows) {
   return csv;
 }
 
-Row row_at(const AlbedoOptions& options, const brdf::Surface& surface, double theta_i_deg,
-           double lambda_nm) {
-  const auto wavelength = brdf::Length::nm(lambda_nm);
-  const evaluation::AlbedoQuadrature quadrature(
-      surface, brdf::direction(brdf::Angle::deg(theta_i_deg), options.phi_i), wavelength);
-  const brdf::QueryBounds bounds = quadrature.bounds(options.tolerance);
+/// The albedos at one wavelength. done: called after each.
+template <class Done>
+void add_rows(const AlbedoOptions& options, const brdf::Surface& surface, double lambda_nm,
+              std::vector<Row>& rows, Done done) {
+  const evaluation::AlbedoQuadrature quadrature(surface, brdf::Length::nm(lambda_nm));
+  std::vector<brdf::Direction> lights;
+  for (const double theta_i_deg : options.theta_i_deg->values)
+    lights.push_back(brdf::direction(brdf::Angle::deg(theta_i_deg), options.phi_i));
+  const brdf::QueryBounds bounds = quadrature.bounds(lights, options.tolerance);
   const evaluation::Method& method = evaluation::method_named(options.method);
   evaluation::MethodSettings settings;
   settings.threads = options.run.threads;
@@ -117,8 +120,12 @@ Row row_at(const AlbedoOptions& options, const brdf::Surface& surface, double th
                   "a narrower window, a larger tolerance or --reduce needs less"},
                  options.run.memory_limit);
   const auto amplitude = method.plan(surface, bounds, settings);
-  evaluation::Optics optics = options.optics.optics(surface);
-  return {theta_i_deg, lambda_nm, quadrature.integrate(*amplitude, optics, options.run.limits())};
+  const evaluation::Optics optics = options.optics.optics(surface);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    rows.push_back({(*options.theta_i_deg)[i], lambda_nm,
+                    quadrature.integrate(lights[i], *amplitude, optics, options.run.limits())});
+    done();
+  }
 }
 
 /// One line for all that are outside.
@@ -158,10 +165,9 @@ void run(AlbedoOptions options) {
   const std::size_t all = options.theta_i_deg->size() * options.lambda_nm->size();
   brdf::at_place(options.heights.file, [&] {
     for (const double lambda_nm : options.lambda_nm->values)
-      for (const double theta_i_deg : options.theta_i_deg->values) {
-        rows.push_back(row_at(options, surface, theta_i_deg, lambda_nm));
+      add_rows(options, surface, lambda_nm, rows, [&] {
         if (progress) progress(static_cast<double>(rows.size()) / static_cast<double>(all));
-      }
+      });
   });
   warn_of_excess(options, rows);
   if (!output) return print(to_csv(rows));
