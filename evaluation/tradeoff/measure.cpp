@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "brdf/gain.h"
 #include "evaluation/audit.h"
-#include "evaluation/diffraction.h"
 #include "evaluation/parallel.h"
 #include "evaluation/worst_error.h"
 
@@ -61,15 +61,16 @@ std::vector<std::size_t> timed(const Trial& trial, std::size_t queries,
   return chosen;
 }
 
-/// An amplitude of 1 everywhere: its response is the gain.
-class Mirror final : public Amplitude {
- public:
-  void evaluate(std::span<const brdf::Query>,
-                std::span<std::complex<double>> amplitudes) const override {
-    std::ranges::fill(amplitudes, 1.0);
-  }
-  brdf::PlanReport report() const override { return {}; }
-};
+/// Between the power and the relative reflectance.
+Eigen::Array<double, 1, Eigen::Dynamic> relative_gains(const SweepRequest& request) {
+  const brdf::Direction omega_i = request.omega_i();
+  Eigen::Array<double, 1, Eigen::Dynamic> gains(
+      static_cast<Eigen::Index>(request.theta_r_deg.size()));
+  Eigen::Index column = 0;
+  for (const brdf::Direction& omega_r : viewing_directions(request))
+    gains[column++] = brdf::relative_gain(omega_i, omega_r);
+  return gains;
+}
 
 /// abs(a)^2 of the rows between the steps, linear in the wavelength.
 brdf::HeightArray interpolated(const brdf::HeightArray& power, const Axis& steps_nm,
@@ -136,7 +137,9 @@ TrialScope TradeoffRequest::scope(brdf::SurfaceModel model, brdf::Replicas repli
 
 TradeoffReference::TradeoffReference(const TradeoffRequest& request, brdf::SurfaceModel model,
                                      brdf::Replicas replicas)
-    : request_(request), surface_(request.surface(model, replicas)) {
+    : request_(request),
+      surface_(request.surface(model, replicas)),
+      gain_(relative_gains(request.sweep)) {
   const brdf::QueryBounds bounds = bounds_of(request.sweep, tolerance);
   MethodSettings settings;
   settings.threads = request.limits.threads;
@@ -157,10 +160,7 @@ CellSelection TradeoffReference::cells_of(const Trial& trial, const SweepRequest
 
 Findings TradeoffReference::findings_of(const SweepRequest& request,
                                         const brdf::HeightArray& power) const {
-  const Mirror mirror;
-  const Diffraction gain(mirror, {brdf::Quantity::relative});
-  ResponseMatrix response = sweep(request, gain, request_.limits);
-  response.values *= power;
+  const ResponseMatrix response{request.lambda_nm, request.theta_r_deg, power.rowwise() * gain_};
   PeakSearch search;
   search.order = request_.order;
   search.period_guess = request_.period;
@@ -189,10 +189,16 @@ TrialRun TradeoffReference::run(const Trial& trial) const {
   run.time.query_s = seconds_since(planned) * static_cast<double>(all.size()) /
                      static_cast<double>(queries.size());
   run.timed_cells = queries.size();
+  run.bounds = bounds;
   run.report = amplitude->report();
-  const nlohmann::ordered_json plan = method.explain(surface_, bounds, settings);
-  if (plan.contains("storage")) run.storage = plan["storage"].get<std::string>();
   return run;
+}
+
+std::string TradeoffReference::storage(const Trial& trial, const TrialRun& run) const {
+  const nlohmann::ordered_json plan =
+      method_named(trial.method)
+          .explain(surface_, run.bounds, trial.settings(request_.limits.threads));
+  return plan.value("storage", "");
 }
 
 TrialErrors TradeoffReference::errors(const Trial& trial, const TrialRun& run) const {

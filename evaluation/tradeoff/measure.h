@@ -38,10 +38,10 @@ struct TrialTime {
 
 /// A trial that ran.
 struct TrialRun {
-  TrialTime time;           ///< of all cells, scaled up where fewer were timed
-  std::size_t timed_cells;  ///< the direct sum is slow: a sample stands for all
+  TrialTime time;            ///< of all cells, scaled up where fewer were timed
+  std::size_t timed_cells;   ///< the direct sum is slow: a sample stands for all
+  brdf::QueryBounds bounds;  ///< that the plan was made for
   brdf::PlanReport report;
-  std::string storage;                           ///< of the plan's tables; empty where it says none
   std::vector<std::complex<double>> amplitudes;  ///< of the timed cells
 };
 
@@ -64,6 +64,8 @@ class TradeoffReference {
   /// Runs a trial. Throws brdf::Error where the method refuses.
   TrialRun run(const Trial& trial) const;
   TrialErrors errors(const Trial& trial, const TrialRun& run) const;
+  /// Of the numbers in the plan's tables; empty where the method says none.
+  std::string storage(const Trial& trial, const TrialRun& run) const;
 
   static constexpr double tolerance = 1e-12;
   /// Largest error of the amplitude against the direct sum, and the cells that were looked at.
@@ -77,6 +79,7 @@ class TradeoffReference {
   const TradeoffRequest& request_;
   brdf::Surface surface_;
   std::vector<std::complex<double>> amplitudes_;  ///< row by row
+  Eigen::Array<double, 1, Eigen::Dynamic> gain_;  ///< of each viewing angle, for any wavelength
   Findings findings_;
   double audited_error_ = 0;
 };

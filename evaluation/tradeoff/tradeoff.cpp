@@ -121,7 +121,7 @@ class Trials {
     row.peak_bytes = memory.bytes();
     row.cells_timed = run.timed_cells;
     row.terms_used = run.report.terms;
-    row.storage = run.storage;
+    row.storage = reference.storage(row.trial, run);
     row.errors = reference.errors(row.trial, run);
     record(i, run.time);
   }
