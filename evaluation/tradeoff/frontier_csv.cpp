@@ -93,7 +93,7 @@ template <class T, std::size_t N>
 T named(const CsvLines& lines, std::string_view field, const std::array<T, N>& values) {
   for (const T value : values)
     if (name_of(value) == field) return value;
-  lines.refuse("\"" + std::string(field.substr(0, 40)) + "\" is none of the names there are");
+  lines.refuse(std::string("\"").append(field.substr(0, 40)) + "\" is none of the names there are");
 }
 
 /// An empty cell is a knob that was not set.
