@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 
 #include "brdf/chebyshev_series.h"
 #include "brdf/direct_sum.h"
@@ -109,7 +110,7 @@ brdf::ChebyshevSeries chebyshev(const MethodSettings& settings, SmallRequests sm
 
 /// make: MethodSettings -> an AmplitudeMethod.
 template <class Make>
-Method row(std::string_view name, std::vector<Knob> knobs, Make make) {
+Method row(std::string_view name, std::vector<Knob> knobs, QueryCost query_cost, Make make) {
   using MethodType = decltype(make(MethodSettings{}));
   std::vector<SurfaceModel> supported;
   std::copy_if(models.begin(), models.end(), std::back_inserter(supported),
@@ -117,6 +118,7 @@ Method row(std::string_view name, std::vector<Knob> knobs, Make make) {
   return {name,
           supported,
           std::move(knobs),
+          query_cost,
           [make](const brdf::Surface& surface, const brdf::QueryBounds& bounds,
                  const MethodSettings& settings) { return make(settings).bytes(surface, bounds); },
           [make](const brdf::Surface& surface, const brdf::QueryBounds& bounds,
@@ -150,17 +152,17 @@ bool Method::takes(Knob knob) const {
 
 std::span<const Method> methods() {
   static const std::array table{
-      row("direct", {},
+      row("direct", {}, QueryCost::every_pixel,
           [](const MethodSettings&) { return brdf::DirectSum(vectorised_phase_kernels()); }),
-      row("auto", {},
+      row("auto", {}, QueryCost::some_terms,
           [](const MethodSettings& s) { return chebyshev(s, SmallRequests::by_direct_sum); }),
-      row("chebyshev", {},
+      row("chebyshev", {}, QueryCost::some_terms,
           [](const MethodSettings& s) { return chebyshev(s, SmallRequests::by_series); }),
-      row("taylor", {Knob::terms, Knob::window_radius, Knob::power_spectra},
+      row("taylor", {Knob::terms, Knob::window_radius, Knob::power_spectra}, QueryCost::some_terms,
           [](const MethodSettings& s) {
             return brdf::TaylorSeries({s.terms, s.radius_sigma_f, s.power_spectra});
           }),
-      row("pq", {Knob::terms, Knob::interpolation, Knob::power_spectra},
+      row("pq", {Knob::terms, Knob::interpolation, Knob::power_spectra}, QueryCost::some_terms,
           [](const MethodSettings& s) {
             return brdf::PqSeries({s.terms, s.interpolation.value_or(brdf::BinInterpolation::exact),
                                    s.power_spectra});

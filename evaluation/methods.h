@@ -4,6 +4,7 @@
 #include <complex>
 #include <functional>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,7 +14,6 @@
 #include "brdf/amplitude.h"
 #include "brdf/bin_interpolation.h"
 #include "brdf/power_spectra.h"
-#include "nlohmann/json.hpp"
 
 namespace evaluation {
 
@@ -34,6 +34,12 @@ enum class Knob {
   power_spectra,  ///< transforms of the powers of the height, kept from before
 };
 
+/// What a query costs once there is a plan.
+enum class QueryCost {
+  some_terms,   ///< of a series: all queries of a request are timed
+  every_pixel,  ///< a phasor for each: a sample is timed and stands for all
+};
+
 /// The knobs of all methods; a method takes those it knows.
 struct MethodSettings {
   std::optional<int> terms;
@@ -48,6 +54,7 @@ struct Method {
   std::string_view name;
   std::vector<brdf::SurfaceModel> models;  ///< supported, the default first
   std::vector<Knob> knobs;                 ///< that it takes
+  QueryCost query_cost;
   std::function<std::size_t(const brdf::Surface&, const brdf::QueryBounds&, const MethodSettings&)>
       bytes;
   /// What a plan will consist of, for people and sidecars; nothing is computed.

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "brdf/gain.h"
 #include "evaluation/audit.h"
@@ -19,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 /// Bands as wide as the sources' window: 4 sigma_f, or zeros of a replicated surface's lobe.
 constexpr double band_radius = 4;
 
-/// As many phasors of the direct sum are timed: some tenths of a second.
+/// As many phasors of a sum over every pixel are timed: some tenths of a second.
 constexpr double timed_phasors = 4e8;
 
 double seconds_since(Clock::time_point start) {
@@ -47,11 +48,12 @@ Amplitudes evaluated(const Amplitude& amplitude, std::span<const brdf::Query> qu
   return amplitudes;
 }
 
-/// The direct sum's queries are thinned to what takes a moment; all others are evaluated.
+/// Queries that go through every pixel are thinned to what takes a moment; all others are
+/// evaluated.
 std::vector<std::size_t> timed(const Trial& trial, std::size_t queries,
                                const brdf::HeightField& field) {
   std::size_t count = queries;
-  if (trial.method == "direct")
+  if (method_named(trial.method).query_cost == QueryCost::every_pixel)
     count =
         std::min(count, 64 + static_cast<std::size_t>(
                                  timed_phasors / static_cast<double>(field.heights_um().size())));

@@ -39,7 +39,7 @@ struct TrialTime {
 /// A trial that ran.
 struct TrialRun {
   TrialTime time;            ///< of all cells, scaled up where fewer were timed
-  std::size_t timed_cells;   ///< the direct sum is slow: a sample stands for all
+  std::size_t timed_cells;   ///< of a sum over every pixel a sample stands for all
   brdf::QueryBounds bounds;  ///< that the plan was made for
   brdf::PlanReport report;
   std::vector<std::complex<double>> amplitudes;  ///< of the timed cells

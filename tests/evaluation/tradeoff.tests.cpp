@@ -148,6 +148,26 @@ TEST_CASE("the error of a trial is that of its amplitude against the direct sum"
   CHECK(errors.findings.ciede2000.value() < 1);
 }
 
+TEST_CASE("a method that goes through every pixel is timed on a sample", "[tradeoff]") {
+  // 1e6 pixels: some hundred queries of the direct sum take half a second.
+  const brdf::HeightField field = sampled(
+      1000, 1000, 0.05, 0.05, [](double x, double) { return 0.1 * std::sin(2 * brdf::pi * x); });
+  const evaluation::TradeoffRequest request = request_of(field);
+  const evaluation::TradeoffReference reference(request, SurfaceModel::isolated, {});
+  for (const evaluation::Method& method : evaluation::methods()) {
+    if (std::ranges::find(method.models, SurfaceModel::isolated) == method.models.end()) continue;
+    Trial trial{.method = std::string(method.name)};
+    trial.tolerance = 1e-6;
+    const evaluation::TrialRun run = reference.run(trial);
+    INFO(method.name << ": " << run.timed_cells);
+    CHECK((run.timed_cells < request.sweep.cells()) == (method.name == "direct"));
+    CHECK(run.timed_cells > 100);
+    CHECK(run.amplitudes.size() == run.timed_cells);
+    // The direct sum's own rounding, and the reference's bound.
+    CHECK(reference.errors(trial, run).worst <= (method.name == "direct" ? 3e-12 : 1.1e-6));
+  }
+}
+
 TEST_CASE("rows between coarser wavelengths are taken linearly", "[tradeoff]") {
   const brdf::HeightField field = blaze();
   evaluation::TradeoffRequest request = request_of(field);
