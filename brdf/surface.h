@@ -74,6 +74,20 @@ namespace detail {
 /// Beyond 9 sigma the window is below 3e-18 of its peak, under the rounding of any sum over it.
 inline constexpr double window_reach_sigma = 9;
 
+/// Along an axis of the periodic model: as many as an int counts, in round numbers.
+inline constexpr double most_copies = 1e9;
+
+/// The last of the copies under the window. Throws Errc::over_limit for too many.
+inline int last_copy_under(const GaussianWindow& window, double length_um) {
+  const double copies = window_reach_sigma * window.sigma_um() / length_um;  // to either side
+  if (!(2 * copies <= most_copies))
+    throw Error(Errc::over_limit, "a window of sigma " + text(window.sigma_um()) +
+                                      " um over a periodic patch " + text(length_um) +
+                                      " um long holds " + text(std::round(2 * copies)) +
+                                      " copies of it, above 1e9; a narrower one holds fewer");
+  return 1 + static_cast<int>(copies);
+}
+
 inline SurfaceAxis surface_axis(const Surface& surface, Eigen::Index count, double pixel_um,
                                 int replicas) {
   if (surface.model == SurfaceModel::replicated && replicas < 1)
@@ -81,8 +95,7 @@ inline SurfaceAxis surface_axis(const Surface& surface, Eigen::Index count, doub
   int first_copy = 0, last_copy = 0;
   if (surface.model == SurfaceModel::replicated) last_copy = replicas - 1;
   if (surface.model == SurfaceModel::periodic) {
-    const double length_um = pixel_um * static_cast<double>(count);
-    last_copy = 1 + static_cast<int>(window_reach_sigma * surface.window.sigma_um() / length_um);
+    last_copy = last_copy_under(surface.window, pixel_um * static_cast<double>(count));
     first_copy = -last_copy;
   }
   const double middle = (static_cast<double>(count) * (1 + first_copy + last_copy) - 1) / 2;

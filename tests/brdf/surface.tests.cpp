@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/support/is_error.h"
 #include "tests/support/surfaces.h"
 
 using brdf::GaussianWindow;
@@ -62,6 +63,21 @@ TEST_CASE("an isolated patch has no repetitions and a periodic one enough for th
       }
     }
   }
+}
+
+TEST_CASE("a window over more copies than can be counted is refused", "[surface][refusal]") {
+  const HeightField field = flat(3, 4, 0.5, 0.25);  // 2 um x 0.75 um
+  const auto under = [&](double sigma_um) {
+    return Surface{&field, GaussianWindow(Length::um(sigma_um)), SurfaceModel::periodic};
+  };
+  // 18 sigma / 2 um <= 1e9.
+  CHECK(brdf::x_axis(under(1.11e8)).copies() == 999'000'003);
+  CHECK_ERROR(brdf::x_axis(under(1.12e8)), brdf::Errc::over_limit, "1.12e+08 um");
+  CHECK_ERROR(brdf::x_axis(under(1.12e8)), brdf::Errc::over_limit, "patch 2 um");
+  CHECK_ERROR(brdf::y_axis(under(1.11e8)), brdf::Errc::over_limit, "1e9");
+  // As many as overflow an int, and as many as no integer holds.
+  for (const double sigma_um : {4.8e8, 1e12, 1e300})
+    CHECK_ERROR(brdf::x_axis(under(sigma_um)), brdf::Errc::over_limit, "1e9");
 }
 
 TEST_CASE("periodic window sums are those of the whole Gaussian", "[surface][oracle]") {
