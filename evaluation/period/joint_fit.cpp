@@ -105,8 +105,8 @@ Component model_change(const std::vector<OrderProblem>& problems, const PowerVie
 
 void require_single_period(const JointFit& fit) {
   const auto says = [&](const std::string& what, const std::string& limit) {
-    refuse("no single period near " + brdf::text(fit.period_nm) + " nm: " + what + ", " + limit +
-           "; `shedlight ridges` shows what there is");
+    refuse("no single period near " + brdf::text(std::round(fit.period_nm)) + " nm: " + what +
+           ", " + limit + "; `shedlight ridges` shows what there is");
   };
   if (!(fit.explained >= least_explained))
     says("lobes at its orders explain " + brdf::text(std::round(100 * fit.explained)) +

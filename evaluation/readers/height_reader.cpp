@@ -1,6 +1,7 @@
 #include "evaluation/readers/height_reader.h"
 
 #include <cmath>
+#include <fstream>
 #include <limits>
 
 #include "evaluation/readers/file_bytes.h"
@@ -54,6 +55,14 @@ void detail::require_grid(std::uint64_t cols, std::uint64_t rows, const std::str
     throw Error(Errc::bad_input, name + ": " + std::to_string(cols) + " x " + std::to_string(rows) +
                                      " pixels, must be from 1 to " + std::to_string(max_pixels) +
                                      " in all");
+}
+
+bool holds_heights(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string head(32, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  return detail::is_png(head) || detail::is_gsf(head);
 }
 
 HeightFile read_heights(const std::filesystem::path& path, const HeightScale& scale) {

@@ -36,6 +36,9 @@ inline constexpr std::size_t max_pixels = std::size_t{1} << 28;
 /// the format.
 HeightFile read_heights(const std::filesystem::path& path, const HeightScale& scale);
 
+/// Whether a file begins like one of these formats; no for one that cannot be read.
+bool holds_heights(const std::filesystem::path& path);
+
 namespace detail {
 
 /// Heights as stored, before any scale.

@@ -1,9 +1,7 @@
 #include "evaluation/dominant_periods.h"
 
 #include <catch2/catch.hpp>
-#include <fstream>
 #include <random>
-#include <sstream>
 
 #include "brdf/levelling.h"
 #include "tests/support/real_data.h"
@@ -179,20 +177,5 @@ TEST_CASE("the periods of snake skins lie where their ridges do", "[periods][rea
 TEST_CASE("a measured rough surface has no period", "[periods][real]") {
   const auto folder = real_data();
   if (!folder) return;
-  std::ifstream file(*folder / "rough_matrix.txt");
-  brdf::HeightArray heights_um(256, 256);
-  Eigen::Index row = 0;
-  for (std::string line; std::getline(file, line);) {
-    if (line.empty() || line[0] == '#') continue;
-    std::istringstream numbers(line);
-    for (Eigen::Index col = 0; col < 256; ++col) {
-      double height_m = 0;
-      REQUIRE(numbers >> height_m);
-      heights_um(row, col) = height_m * 1e6;
-    }
-    ++row;
-  }
-  REQUIRE(row == 256);
-  const double pixel_um = 10.0 / 256;
-  CHECK(periods_of({heights_um, Length::um(pixel_um), Length::um(pixel_um)}).empty());
+  CHECK(periods_of(rough_matrix(*folder)).empty());
 }
