@@ -27,6 +27,10 @@ std::string parse_path(const std::string& option, const std::string& text) {
 
 void HeightOptions::add_to(CLI::App* app) {
   add_parsed(app, "file", file, parse_path, "height field: PNG or GSF", "FILE")->required();
+  add_preparation_to(app);
+}
+
+void HeightOptions::add_preparation_to(CLI::App* app) {
   CLI::Option* width =
       add_parsed(app, "--width", scale.width, parse_length, "columns x pixel, e.g. 65um", "LENGTH");
   add_parsed(app, "--pixel", scale.pixel, parse_length_pair, "pixel, or pixel along x,y",

@@ -65,6 +65,8 @@ struct HeightOptions {
   std::optional<brdf::Level> level;  ///< none, unless a preset says otherwise
 
   void add_to(CLI::App* app);
+  /// All but the file.
+  void add_preparation_to(CLI::App* app);
   /// What is subtracted, for sidecars.
   std::string level_name() const;
   /// Grid and preparation of the heights as they were read, for sidecars.

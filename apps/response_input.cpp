@@ -102,6 +102,10 @@ Json ResponseInput::parameters() const {
 
 void ResponseOptions::add_to(CLI::App* app) {
   add_parsed(app, "response", file, parse_path, "CSV written by sweep", "FILE")->required();
+  add_settings_to(app);
+}
+
+void ResponseOptions::add_settings_to(CLI::App* app) {
   add_parsed(app, "--order", search.order, count_between(-1000, 1000),
              "order of diffraction, positive towards the light (default 1)", "M");
   add_parsed(app, "--period-guess", search.period_guess, parse_length,

@@ -59,6 +59,8 @@ struct ResponseOptions {
   evaluation::PeakSearch search;
 
   void add_to(CLI::App* app);
+  /// All but the file.
+  void add_settings_to(CLI::App* app);
   /// Throws Errc::bad_input naming the option where neither it nor the sidecar gives a value.
   ResponseInput read() const;
 };

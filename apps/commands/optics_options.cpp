@@ -1,5 +1,7 @@
 #include "apps/commands/optics_options.h"
 
+#include <algorithm>
+
 #include "apps/quantities.h"
 
 namespace apps {
@@ -20,10 +22,11 @@ const Choices<FresnelModel> fresnel_choices{{"none", FresnelModel::none},
                                             {"schlick-amplitude", FresnelModel::schlick_amplitude},
                                             {"dielectric", FresnelModel::dielectric},
                                             {"conductor", FresnelModel::conductor}};
-const Choices<Shadowing> shadowing_choices{{"none", Shadowing::none},
-                                           {"v-cavity", Shadowing::v_cavity}};
 
 }  // namespace
+
+const Choices<Shadowing> shadowing_choices{{"none", Shadowing::none},
+                                           {"v-cavity", Shadowing::v_cavity}};
 
 std::complex<double> parse_index(const std::string& option, const std::string& text) {
   const std::size_t comma = text.find(',');
@@ -77,6 +80,24 @@ evaluation::Json fresnel_json(const brdf::Fresnel& fresnel) {
   if (fresnel.model != FresnelModel::none)
     json["index"] = {fresnel.index.real(), fresnel.index.imag()};
   return json;
+}
+
+brdf::Fresnel fresnel_from_json(const evaluation::Json& json) {
+  brdf::Fresnel fresnel;
+  const std::string name = json.is_object() ? json.value("model", "") : "";
+  const auto known = std::find_if(fresnel_choices.begin(), fresnel_choices.end(),
+                                  [&](const auto& choice) { return choice.first == name; });
+  if (known == fresnel_choices.end())
+    throw brdf::Error(brdf::Errc::bad_input, "reflectance model '" + name + "' is not known");
+  fresnel.model = known->second;
+  if (const auto index = json.find("index"); index != json.end()) {
+    if (!(index->is_array() && index->size() == 2 && (*index)[0].is_number() &&
+          (*index)[1].is_number()))
+      throw brdf::Error(brdf::Errc::bad_input, "refractive index is no pair of numbers");
+    fresnel.index = {(*index)[0].get<double>(), (*index)[1].get<double>()};
+  }
+  require_valid(fresnel);
+  return fresnel;
 }
 
 evaluation::Json OpticsOptions::parameters() const {

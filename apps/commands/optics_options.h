@@ -33,5 +33,9 @@ std::complex<double> parse_index(const std::string& option, const std::string& t
 
 /// Model and index of a facet, for the sidecar.
 evaluation::Json fresnel_json(const brdf::Fresnel& fresnel);
+/// And back. Throws Errc::bad_input for what `fresnel_json` does not write.
+brdf::Fresnel fresnel_from_json(const evaluation::Json& json);
+
+extern const Choices<evaluation::Shadowing> shadowing_choices;
 
 }  // namespace apps

@@ -1,85 +1,140 @@
-// shedlight period: the grating period from the peak angles.
+// shedlight period: the period of a scan, or of a response.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
 
 #include "apps/commands/commands.h"
+#include "apps/commands/response_period.h"
 #include "apps/console.h"
-#include "apps/response_input.h"
+#include "apps/options.h"
+#include "apps/quantities.h"
+#include "apps/surface_periods_picture.h"
+#include "apps/surface_periods_report.h"
+#include "brdf/levelling.h"
 
 namespace apps {
 namespace {
 
+using evaluation::Json;
+using evaluation::SurfacePeriod;
+
+/// How far from the strongest period others are looked for, azimuth by azimuth.
+constexpr double octave = 2;
+
 struct PeriodOptions {
-  ResponseOptions response;
+  std::string file;
+  ResponsePeriodOptions response;
+  HeightOptions heights;
+  std::string picture, around;
+  double around_step_deg = 1;
   bool json = false;
+  /// Options that mean something for the one kind of file only.
+  std::vector<const CLI::Option*> of_response, of_scan;
 };
 
-/// "none", all of a few, or the number and the span of many.
-std::string outliers_text(const evaluation::Json& lambdas_nm) {
-  constexpr std::size_t few = 8;
-  if (lambdas_nm.empty()) return "none";
-  if (lambdas_nm.size() > few)
-    return fmt::format("{} wavelengths between {} and {} nm; --json names them", lambdas_nm.size(),
-                       lambdas_nm.front().get<double>(), lambdas_nm.back().get<double>());
-  std::string names;
-  for (const auto& lambda : lambdas_nm)
-    names += (names.empty() ? "" : ", ") + evaluation::number_text(lambda.get<double>());
-  return names + " nm";
+void require_none(const std::vector<const CLI::Option*>& options, const std::string& file,
+                  const char* kind, const char* other) {
+  for (const CLI::Option* option : options)
+    if (option->count() > 0)
+      throw brdf::Error(brdf::Errc::invalid_argument,
+                        fmt::format("{} has no meaning for {}, {}; it goes with {}",
+                                    option->get_name(), file, kind, other));
 }
 
-std::string for_people(const evaluation::Json& result) {
-  const auto number = [&](const char* key) { return result[key].get<double>(); };
-  std::string text = fmt::format(
-      "period          {:.3f} nm, standard error of the fit {:.3f} nm ({})\n"
-      "order           {:+d}, {}; {} of {} wavelengths have a peak\n"
-      "sources' way    {:.3f} nm mean, {:.3f} nm standard deviation over the wavelengths\n",
-      number("period_nm"), number("std_error_nm"), result["status"].get<std::string>(),
-      result["order"].get<int>(), result["side"].get<std::string>(),
-      result["wavelengths_with_peak"].get<std::size_t>(), result["wavelengths"].get<std::size_t>(),
-      number("source_mean_nm"), number("source_std_nm"));
-  return text + "outliers        " + outliers_text(result["outliers"]) + "\n";
+void run_on_scan(PeriodOptions options) {
+  for (const std::string& written : {options.picture, options.around})
+    if (!written.empty()) require_other_file(written, options.file);
+  require_apart(options.picture, options.around);
+  std::optional<evaluation::OutputWithSidecar> picture, around;
+  if (!options.picture.empty()) picture.emplace(options.picture);
+  if (!options.around.empty()) around.emplace(options.around);
+  options.heights.file = options.file;
+  const evaluation::HeightFile input = options.heights.read();
+  const auto periods =
+      brdf::at_place(options.file, [&] { return evaluation::surface_periods(input.field); });
+  const auto measured = std::find_if(periods.begin(), periods.end(),
+                                     [](const SurfacePeriod& one) { return one.heights; });
+  if (measured == periods.end())
+    throw brdf::Error(brdf::Errc::not_attainable,
+                      fmt::format("{}: no period is given: {}", options.file, periods[0].reason));
+  Json sidecar = sidecar_head("period", options.file, input.sha256);
+  sidecar["parameters"] = options.heights.parameters(input.field);
+  sidecar["result"] = to_json(periods);
+  if (picture || around) {
+    const auto by_azimuth = evaluation::periods_around(
+        brdf::HeightSpectrum(brdf::levelled(input.field, brdf::Level::plane)),
+        options.around_step_deg,
+        {brdf::Length::nm(measured->heights->period_nm / octave),
+         brdf::Length::nm(measured->heights->period_nm * octave)});
+    if (around) around->commit(to_csv(by_azimuth), sidecar);
+    if (picture)
+      picture->commit(
+          draw_png(SurfacePeriodsPicture{
+              &*measured, by_azimuth,
+              fmt::format("{}: period {:.2f} nm, 95 % {:.2f} to {:.2f} nm",
+                          std::filesystem::path(options.file).filename().string(),
+                          measured->heights->period_nm, measured->heights->interval_nm.lo,
+                          measured->heights->interval_nm.hi)}),
+          sidecar);
+  }
+  print(options.json ? sidecar["result"].dump(2) + "\n" : for_people(periods));
 }
 
 void run(const PeriodOptions& options) {
-  const ResponseInput input = options.response.read();
-  const std::vector<evaluation::Peak> peaks = input.peaks();
-  const int order = input.search.order;
-  const evaluation::PeriodFit fit = brdf::at_place(options.response.file, [&] {
-    return fit_period(peaks, input.plane, order, input.angle_step_deg());
-  });
-  const evaluation::PeriodSpread spread = period_spread(peaks, input.plane, order);
-  const bool converged = fit.status == evaluation::FitStatus::converged;
-
-  evaluation::Json result;
-  result["period_nm"] = fit.period_nm;
-  result["std_error_nm"] = fit.std_error_nm;
-  result["order"] = order;
-  result["side"] = evaluation::side_of(order);
-  result["outliers"] = fit.outlier_lambdas_nm;
-  result["status"] = converged ? "converged" : "not converged: " + fit.message;
-  result["source_mean_nm"] = spread.mean_nm;
-  result["source_std_nm"] = spread.std_nm;
-  result["wavelengths"] = peaks.size();
-  result["wavelengths_with_peak"] = fit.residuals_deg.size();
-  print(options.json ? result.dump(2) + "\n" : for_people(result));
-  if (!converged)
-    throw brdf::Error(brdf::Errc::not_attainable,
-                      options.response.file + ": the fit did not converge: " + fit.message);
+  if (evaluation::holds_heights(options.file)) {
+    require_none(options.of_response, options.file, "a height field", "a response");
+    return run_on_scan(options);
+  }
+  require_none(options.of_scan, options.file, "a response", "a height field");
+  ResponsePeriodOptions response = options.response;
+  response.response.file = options.file;
+  const Json result = response_period(response);
+  print(options.json ? result.dump(2) + "\n" : response_period_text(result));
 }
 
 }  // namespace
 
 void add_period(CLI::App& app) {
   auto options = std::make_shared<PeriodOptions>();
-  CLI::App* period = app.add_subcommand("period", "Grating period fitted to the peak angles");
+  CLI::App* period = app.add_subcommand("period", "Grating period of a scan, or of a response");
   period->footer(
-      "The standard error is that of the fit: it does not hold the bias of the peaks nor the\n"
-      "drift of a scan. Printed beside it: the sources' own estimate, the mean and standard\n"
-      "deviation over the wavelengths of the period that each brightest angle gives.\n"
-      "Example:\n  shedlight period R.csv --order 1 --json");
-  options->response.add_to(period);
+      "Of a scan: the lines of its heights, their direction, and the lobes of the light that it\n"
+      "would send to either side. Of a response with its sidecar: all lobes at once (--by lobes);\n"
+      "without one, or with --by peaks: the brightest angles, whose standard error holds neither\n"
+      "their bias nor the drift of a scan. Exit 5 without a number where the data cannot tell.\n"
+      "Examples:\n"
+      "  shedlight period scan.png --width 65um --height-range 434.7nm --plot period.png\n"
+      "  shedlight period R.csv --order 1 --json");
+  add_parsed(period, "file", options->file, parse_path, "height field, or CSV written by sweep",
+             "FILE")
+      ->required();
+  const auto added_by = [period](const std::function<void()>& add) {
+    const std::vector<CLI::Option*> before = period->get_options();
+    add();
+    std::vector<const CLI::Option*> added;
+    for (const CLI::Option* option : period->get_options())
+      if (std::find(before.begin(), before.end(), option) == before.end()) added.push_back(option);
+    return added;
+  };
+  options->of_response = added_by([&] { options->response.add_to(period); });
+  options->of_scan = added_by([&] {
+    options->heights.add_preparation_to(period);
+    add_parsed(period, "--plot", options->picture, parse_path,
+               "PNG: lines, sub-patches, window positions, light, azimuths", "FILE");
+    add_parsed(period, "--around", options->around, parse_path,
+               "CSV: the period that a plane of incidence meets, azimuth by azimuth", "FILE");
+    add_parsed(
+        period, "--around-step", options->around_step_deg,
+        [](const std::string& option, const std::string& text) {
+          const double step = parse_angle(option, text).deg();
+          if (!(step >= 0.01 && step <= 90))
+            throw brdf::Error(brdf::Errc::invalid_argument,
+                              option + " " + text + ": must lie between 0.01 and 90 deg");
+          return step;
+        },
+        "of the azimuth (default 1deg)", "ANGLE");
+  });
   period->add_flag("--json", options->json, "as JSON");
   period->callback([options] { run(*options); });
 }

@@ -4,12 +4,21 @@
 
 #include "apps/options.h"
 #include "apps/quantities.h"
+#include "evaluation/period/surface_periods.h"
 
 namespace apps {
+namespace {
+
+const Choices<Along> along_choices{{"auto", Along::grating}};
+
+}  // namespace
 
 void SceneOptions::add_to(CLI::App* app) {
   add_parsed(app, "--theta-i", theta_i, parse_angle, "angle of incidence", "ANGLE")->required();
   add_parsed(app, "--phi-i", phi_i, parse_angle, "azimuth of the light (default 0deg)", "ANGLE");
+  add_choice(app, "--along", along, along_choices,
+             "lay the plane of incidence along the grating vector found in the heights")
+      ->excludes(app->get_option("--phi-i"));
   add_parsed(app, "--theta-r", theta_r_deg, parse_angle_axis,
              "viewing angles, positive on the light's side", "START:STOP:STEP")
       ->required();
@@ -20,10 +29,16 @@ void SceneOptions::add_to(CLI::App* app) {
 }
 
 evaluation::SweepRequest SceneOptions::request() const {
-  evaluation::SweepRequest request{*theta_i, phi_i, phi_r.value_or(phi_i), *lambda_nm,
+  const brdf::Angle light = phi_i.value_or(brdf::Angle{});
+  evaluation::SweepRequest request{*theta_i, light, phi_r.value_or(light), *lambda_nm,
                                    *theta_r_deg};
   evaluation::require_valid(request);
   return request;
+}
+
+void SceneOptions::turn(const brdf::HeightField& field, const std::string& file) {
+  if (along == Along::azimuth) return;
+  phi_i = brdf::at_place(file, [&] { return evaluation::grating_azimuth(field); });
 }
 
 evaluation::Json scene_json(const evaluation::SweepRequest& request) {

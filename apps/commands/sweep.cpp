@@ -182,13 +182,15 @@ void explain(const SweepOptions& options, const evaluation::SweepRequest& reques
 void run(SweepOptions options) {
   const evaluation::RunLimits limits = options.run.limits();
   options.resolve();
-  const evaluation::SweepRequest request = options.request();
+  evaluation::SweepRequest request = options.request();
   std::optional<evaluation::OutputWithSidecar> output;
   if (!options.output.empty() && !options.explain) {
     require_other_file(options.output, options.heights.file);
     output.emplace(options.output);
   }
   const evaluation::HeightFile input = options.heights.read();
+  options.scene.turn(input.field, options.heights.file);
+  request = options.request();
   options.settings.power_spectra = options.tables.read(options.heights, input);
   if (options.explain) return explain(options, request, options.surface(input.field));
   const Computed computed =

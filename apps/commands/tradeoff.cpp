@@ -160,13 +160,15 @@ Json audits_json(const evaluation::Tradeoff& found) {
   return json;
 }
 
-void run(const TradeoffOptions& options) {
+void run(TradeoffOptions options) {
   options.require_consistent();
-  const evaluation::SweepRequest sweep = options.scene.request();
+  evaluation::SweepRequest sweep = options.scene.request();
   evaluation::OutputWithSidecar output(options.output);
   std::optional<evaluation::OutputWithSidecar> picture;
   if (!options.picture.empty()) picture.emplace(options.picture);
   const evaluation::HeightFile input = options.heights.read();
+  options.scene.turn(input.field, options.heights.file);
+  sweep = options.scene.request();
   check_sampling(sweep, input.field, options.heights.file, options.run.attainability());
 
   IlluminatedOptions illuminated = options.illuminated;

@@ -87,10 +87,11 @@ TEST_CASE("results that standard output does not take are an error", "[cli][outp
   const Scratch folder;
   make_response(folder);
   for (const std::string& command :
-       {"sweep g.gsf" + small_scene, std::string("peaks R.csv"), std::string("period R.csv"),
-        std::string("ridges R.csv"), std::string("colour R.csv"),
-        std::string("period R.csv --json"), std::string("info g.gsf"),
-        std::string("info g.gsf --json"), std::string("advise g.gsf --theta-i 30deg"),
+       {"sweep g.gsf" + small_scene, std::string("peaks R.csv"),
+        std::string("period R.csv --by peaks"), std::string("ridges R.csv"),
+        std::string("colour R.csv"), std::string("period R.csv --by peaks --json"),
+        std::string("info g.gsf"), std::string("info g.gsf --json"),
+        std::string("advise g.gsf --theta-i 30deg"),
         "sweep g.gsf" + small_scene + " -o other.csv --json",
         std::string("validate R.csv R.csv --max-error 1"), std::string("validate --self"),
         std::string("render g.gsf --light 1deg,0deg --probe 0,0")})
@@ -146,5 +147,5 @@ TEST_CASE("an output through a link is written where the link points", "[cli][ou
   folder.prepare("sweep g.gsf" + small_scene + " -o link.csv");
   CHECK(fs::is_symlink(folder / "link.csv"));
   CHECK_THAT(folder.read("sub/R.csv"), Catch::StartsWith("lambda_nm,"));
-  CHECK(folder.shedlight("period link.csv").exit_code == 0);
+  CHECK(folder.shedlight("period link.csv --by peaks").exit_code == 0);
 }

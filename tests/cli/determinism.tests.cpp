@@ -32,12 +32,12 @@ TEST_CASE("peaks, period and synth give the same bytes in every run", "[cli][inv
   make_response(folder);
   folder.prepare("peaks R.csv -o peaks.csv");
   const auto before = folder.contents();
-  const std::string period = folder.shedlight("period R.csv --json").out;
+  const std::string period = folder.shedlight("period R.csv --by peaks --json").out;
   CHECK(period != "");
   for (int run = 0; run < 3; ++run) {
     make_grating(folder);
     folder.prepare("peaks R.csv -o peaks.csv");
-    CHECK(folder.shedlight("period R.csv --json").out == period);
+    CHECK(folder.shedlight("period R.csv --by peaks --json").out == period);
     const bool same = folder.contents() == before;
     CHECK(same);
   }
@@ -55,13 +55,13 @@ TEST_CASE("a locale with decimal commas changes nothing", "[cli][invariant]") {
   comma_locales.push_back("de_DE.UTF-8");
   folder.prepare(sweep);
   const std::string csv = folder.read("R.csv");
-  const std::string period = folder.shedlight("period R.csv").out;
+  const std::string period = folder.shedlight("period R.csv --by peaks").out;
   for (const std::string& locale : comma_locales) {
     INFO(locale);
     const Environment german{{"LC_ALL", locale}, {"LANG", locale}};
     CHECK(folder.shedlight(words(sweep), german).exit_code == 0);
     const bool same = folder.read("R.csv") == csv;
     CHECK(same);
-    CHECK(folder.shedlight(words("period R.csv"), german).out == period);
+    CHECK(folder.shedlight(words("period R.csv --by peaks"), german).out == period);
   }
 }

@@ -23,7 +23,7 @@ TEST_CASE("polar angles of 90 deg and more are refused", "[cli][refusal]") {
   check_refused(folder, sweep + light + colours + " --theta-r 0:90:1deg", 2, {"90"});
   check_refused(folder, sweep + light + colours + " --theta-r -100:-95:1deg", 2, {"-100"});
   for (const std::string command :
-       {"peaks R.csv -o older.csv", "period R.csv", "plot R.csv -o older.csv"})
+       {"peaks R.csv -o older.csv", "period R.csv --by peaks", "plot R.csv -o older.csv"})
     check_refused(folder, command + " --theta-i 90deg", 2, {"90"});
 }
 
@@ -61,6 +61,6 @@ TEST_CASE("an azimuth outside the plane of incidence has no grating equation", "
   const Scratch folder;
   make_response(folder);
   for (const std::string command :
-       {"peaks R.csv -o older.csv", "period R.csv", "plot R.csv -o older.csv"})
+       {"peaks R.csv -o older.csv", "period R.csv --by peaks", "plot R.csv -o older.csv"})
     check_refused(folder, command + " --phi-r 30deg", 2, {"phi_r", "30"});
 }

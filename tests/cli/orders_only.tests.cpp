@@ -50,7 +50,9 @@ TEST_CASE("under --orders-only the period is the same", "[cli][orders_only]") {
   make_grating(folder);
   const auto period = [&](const std::string& options) {
     folder.prepare(sweep + options + "-o R.csv");
-    return json::parse(folder.shedlight("period R.csv --json").out).at("period_nm").get<double>();
+    return json::parse(folder.shedlight("period R.csv --by peaks --json").out)
+        .at("period_nm")
+        .get<double>();
   };
   // The peaks are the same cells and their neighbours.
   CHECK(period("") == period(bands));

@@ -40,7 +40,7 @@ json period(const Scratch& folder, const std::string& arguments) {
 TEST_CASE("period prints all that the fit knows as JSON", "[cli][period]") {
   const Scratch folder;
   make_response(folder);
-  const json result = period(folder, "R.csv --order 1");
+  const json result = period(folder, "R.csv --order 1 --by peaks");
   for (const std::string key : {"period_nm", "std_error_nm", "source_mean_nm", "source_std_nm"}) {
     INFO(key);
     REQUIRE(result.contains(key));
@@ -55,7 +55,7 @@ TEST_CASE("period prints all that the fit knows as JSON", "[cli][period]") {
 TEST_CASE("period speaks to people without being asked for JSON", "[cli][period]") {
   const Scratch folder;
   make_response(folder);
-  const Outcome outcome = folder.shedlight("period R.csv");
+  const Outcome outcome = folder.shedlight("period R.csv --by peaks");
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.err == "");
   CHECK_THAT(outcome.out, Catch::Contains("period") && Catch::Contains("nm") &&
@@ -80,8 +80,16 @@ TEST_CASE("a blaze of 2500 nm is measured to 1 nm", "[cli][period]") {
   folder.prepare(
       "sweep g.gsf --theta-i 75deg --theta-r -55:-40:0.05deg --lambda 380:780:5nm -o R.csv");
   const json result = period(folder, "R.csv --order 1 --period-guess 2500nm");
+  CHECK(result.at("by") == "lobes");
   CHECK(std::abs(result.at("period_nm").get<double>() - 2500) <= 1);
-  CHECK(result.at("side") == "towards the light");
+  CHECK(result.at("interval_nm")[0].get<double>() <= 2500);
+  CHECK(result.at("interval_nm")[1].get<double>() >= 2500);
+  // Known to be without edges the interval would be too narrow for a blaze; it is narrower.
+  const json smooth =
+      period(folder, "R.csv --order 1 --period-guess 2500nm --relief smooth").at("interval_nm");
+  CHECK(smooth[1].get<double>() - smooth[0].get<double>() <
+        result.at("interval_nm")[1].get<double>() - result.at("interval_nm")[0].get<double>());
+  CHECK(result.at("peaks").at("side") == "towards the light");
 }
 
 TEST_CASE("a blaze turned round sends its light into order -1", "[cli][period]") {
@@ -94,7 +102,7 @@ TEST_CASE("a blaze turned round sends its light into order -1", "[cli][period]")
         std::string(facing));
     folder.prepare("sweep g.gsf --theta-i 0deg --lambda 400:700:20nm -o R.csv --theta-r " +
                    std::string(angles));
-    const json result = period(folder, "R.csv --order " + std::string(order));
+    const json result = period(folder, "R.csv --by peaks --order " + std::string(order));
     INFO(facing << " " << result.dump());
     CHECK(result.at("order") == std::stoi(order));
     // The lobes of a strong order lie right to some tenths of a nanometre.
@@ -113,7 +121,8 @@ TEST_CASE("the azimuths of the sidecar put the viewer on the right side", "[cli]
   folder.prepare(
       "sweep g.gsf --theta-i 75deg --theta-r 40:55:0.1deg --lambda 400:700:100nm "
       "--sigma 16.25um --phi-r 180deg -o opposite.csv");
-  const double same = period(folder, "same.csv").at("period_nm").get<double>();
+  const double same = period(folder, "same.csv --by peaks").at("period_nm").get<double>();
   // The same directions in the other order; only the rounding of sines differs.
-  CHECK(period(folder, "opposite.csv").at("period_nm").get<double>() == Approx(same).margin(1e-6));
+  CHECK(period(folder, "opposite.csv --by peaks").at("period_nm").get<double>() ==
+        Approx(same).margin(1e-6));
 }

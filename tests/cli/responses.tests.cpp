@@ -99,7 +99,7 @@ TEST_CASE("a file that is no response is refused", "[cli][input]") {
   check_response_refused(folder, "wavelength,1,2\n500,1,2\n", {"bad.csv", "line 1", "lambda_nm"});
   check_response_refused(folder, "lambda_nm\n500\n", {"bad.csv", "line 1"});
   make_grating(folder);
-  check_refused(folder, "period g.gsf --theta-i 75deg", 3, {"g.gsf"});
+  check_refused(folder, "peaks g.gsf --theta-i 75deg", 3, {"g.gsf"});
 }
 
 TEST_CASE("without a sidecar the option that it would give is asked for", "[cli][input]") {
