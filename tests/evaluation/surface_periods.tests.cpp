@@ -145,6 +145,23 @@ TEST_CASE("a grating at an angle has its period and direction", "[period][oracle
   }
 }
 
+TEST_CASE("a period that differs from strip to strip is known less well", "[period][oracle]") {
+  // Too close for two lines: 0.3 cycles apart over the patch.
+  const brdf::SyntheticSurface halves{.grating = {.profile = Profile::sinusoid,
+                                                  .period = Length::um(1.5),
+                                                  .height = Length::um(0.2)},
+                                      .second = brdf::SecondPopulation{Length::um(1.515)}};
+  const auto periods = surface_periods(
+      brdf::synthetic_surface(halves, 160, 450, Length::um(0.1), Length::um(0.1)), 1);
+  REQUIRE(periods.size() == 1);
+  REQUIRE(periods[0].heights);
+  const PeriodEstimate& estimate = *periods[0].heights;
+  CHECK(estimate.interval_nm.holds(1500));
+  CHECK(estimate.interval_nm.holds(1515));
+  // Two strips of each: their deviation is 8.66 nm.
+  CHECK(estimate.parts.patches_nm == Approx(8.66).epsilon(0.05));
+}
+
 TEST_CASE("a lattice has two vectors, a grating one", "[period][oracle]") {
   const brdf::SyntheticSurface lattice{
       .grating = {.profile = Profile::lamellar,
