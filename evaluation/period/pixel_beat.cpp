@@ -30,6 +30,8 @@ class EdgePull {
     const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(points, -half, half);
     cells.q_per_um = 3 * k + t;
     cells.c_per_um = Eigen::ArrayXd::Zero(points);
+    cells.power =
+        Eigen::ArrayXd::Zero(points);  // as many as there are places; their values play no part
     const double step = 1e-3 * lobe.half_width_per_um();
     const Eigen::ArrayXd own = t.unaryExpr([&](double q) { return lobe(q); });
     const Eigen::ArrayXd slope =
