@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "benchmarks/stopwatch.h"
-#include "brdf/synthetic_profile.h"
+#include "brdf/synthetic_surface.h"
 #include "evaluation/diffraction.h"
 #include "evaluation/parallel.h"
 #include "evaluation/period/joint_fit.h"
