@@ -20,7 +20,7 @@ namespace evaluation {
 /// those no farther off than it moves them, with half as much again for what is not of first order.
 ///
 /// Averaged over d the error is the pixel / (d N^1.5) of N edges placed at random. Profiles without
-/// edges have less. Compared with fits of blazes of 0.8 to 4.9 um: within 20 %.
+/// edges have less.
 double pixel_deviation(const WindowLobe& lobe, double pixel_um, double period_um);
 
 }  // namespace evaluation
