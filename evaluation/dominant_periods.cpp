@@ -10,8 +10,6 @@ namespace {
 
 using brdf::HeightSpectrum;
 
-/// Below, a period is not told from the bow and the tilt of a scan.
-constexpr double least_cycles = 2.5;
 constexpr double least_share = 0.002;
 constexpr double dominant_share = 0.5;
 /// Of the strongest period's power: the rest is detail of its shape, such as the sums and

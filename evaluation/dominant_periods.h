@@ -25,6 +25,9 @@ struct HeightPeriod {
   std::optional<Harmonic> harmonic;
 };
 
+/// Across the patch; below, a period is not told from the bow and the tilt of a scan.
+inline constexpr double least_cycles = 2.5;
+
 /// The strongest periods, at most `most` and as many harmonics, strongest first; none for a flat or
 /// a rough surface.
 ///

@@ -116,7 +116,7 @@ struct BinResidual {
 /// One line under a window, with the standard error of its period.
 struct FittedLine {
   Frequency frequency;
-  double std_nm, amplitude;
+  double std_nm;
 };
 
 /// All lines of a group; empty those that wandered off to fit something else.
@@ -199,8 +199,7 @@ std::optional<GroupFit> fit_group(const SurfaceWave& wave, const std::vector<Fre
     const double wandered_bins = std::hypot((f.x_per_um - start.x_per_um) * wave.width_um(),
                                             (f.y_per_um - start.y_per_um) * wave.height_um());
     if (wandered_bins <= farthest_bins)
-      fit.push_back(FittedLine{f, std_nm_of(scaled, k, f, wave.width_um(), wave.height_um()),
-                               std::hypot(line[2], line[3])});
+      fit.push_back(FittedLine{f, std_nm_of(scaled, k, f, wave.width_um(), wave.height_um())});
     else
       fit.push_back(std::nullopt);
   }
@@ -220,7 +219,6 @@ PeriodEstimate at_the_middle(const FittedLine& line) {
   PeriodEstimate one{};
   one.frequency = line.frequency;
   one.period_nm = line.frequency.period().nm();
-  one.amplitude = line.amplitude;
   one.parts.fit_nm = line.std_nm;
   return one;
 }
@@ -248,8 +246,7 @@ std::optional<PeriodEstimate> by_itself(const SurfaceWave& wave, const Frequency
                                         const std::vector<PatchWindow>& places) {
   const auto middle = refined_line(wave, start, {group_share});
   if (!middle) return std::nullopt;
-  PeriodEstimate one =
-      at_the_middle({*middle, 0, std::abs(line_amplitude(wave, *middle, {group_share}))});
+  PeriodEstimate one = at_the_middle({*middle, 0});
   for (const PatchWindow& window : places)
     if (const auto there = refined_line(wave, *middle, window)) add_place(one, window, *there);
   if (!has_interval(one)) return std::nullopt;

@@ -159,7 +159,6 @@ PeriodEstimate estimate_period(const SurfaceWave& wave, const Frequency& start) 
   estimate.interval_nm = {period_nm(slopes.hi), period_nm(slopes.lo)};
   estimate.drift_share = slope.accumulated_share;
   estimate.bow_share = slope.bowed_share;
-  estimate.amplitude = std::abs(line_amplitude(wave, carrier));
   estimate.by_patch = by_strip.periods;
   for (const PatchWindow& window : window_positions(wave, carrier, PatchWindow{}.share))
     if (const auto local = refined_line(wave, carrier, window))

@@ -30,7 +30,6 @@ struct PeriodEstimate {
   double drift_share;  ///< probability that the lines drift rather than scatter
   double bow_share;    ///< and that they lie on a scanner's bow
   std::size_t lines;   ///< periods seen; 0 where the phases of lines were not used
-  double amplitude;    ///< of the fundamental, in the wave's unit
   std::vector<LocalPeriod> by_patch, by_window;
   LinePhases phases;  ///< empty where they were not used
 };

@@ -7,13 +7,13 @@
 
 #include "brdf/units.h"
 #include "evaluation/axis.h"
+#include "evaluation/dominant_periods.h"
 
 namespace evaluation {
 namespace {
 
 using brdf::HeightSpectrum;
 
-constexpr double least_cycles = 2.5;
 constexpr double least_depth = 0.01;
 /// Steps along a ray, in bins.
 constexpr double ray_step = 0.25;

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/gratings.h"
+#include "tests/cli/periods.h"
 #include "tests/cli/tables.h"
 
 using nlohmann::json;
@@ -25,14 +26,6 @@ std::string lobes(double period_nm, double outlier_lambda_nm) {
     csv += "\n";
   }
   return csv;
-}
-
-json period(const Scratch& folder, const std::string& arguments) {
-  const Outcome outcome = folder.shedlight("period " + arguments + " --json");
-  INFO(outcome.out << outcome.err);
-  REQUIRE(outcome.exit_code == 0);
-  CHECK(outcome.err == "");
-  return json::parse(outcome.out);
 }
 
 }  // namespace

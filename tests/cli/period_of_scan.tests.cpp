@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tests/cli/periods.h"
 #include "tests/cli/pictures.h"
 #include "tests/cli/refusal.h"
 #include "tests/cli/tables.h"
@@ -11,14 +12,6 @@
 using nlohmann::json;
 
 namespace {
-
-json period(const Scratch& folder, const std::string& arguments) {
-  const Outcome outcome = folder.shedlight("period " + arguments + " --json");
-  INFO(outcome.out << outcome.err);
-  REQUIRE(outcome.exit_code == 0);
-  CHECK(outcome.err == "");
-  return json::parse(outcome.out);
-}
 
 const std::string sinusoid =
     "synth sinusoid --period 1573nm --height 200nm --size 30um,6um --pixels 300,60 ";
