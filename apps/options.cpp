@@ -1,6 +1,7 @@
 #include "apps/options.h"
 
 #include <filesystem>
+#include <limits>
 
 #include "apps/quantities.h"
 #include "apps/version.h"
@@ -15,6 +16,10 @@ using brdf::Error;
 const Choices<brdf::Level> level_choices{
     {"none", brdf::Level::none}, {"mean", brdf::Level::mean}, {"plane", brdf::Level::plane}};
 
+const Choices<evaluation::MissingHeights> missing_choices{
+    {"refuse", evaluation::MissingHeights::refuse},
+    {"neighbours", evaluation::MissingHeights::neighbours}};
+
 std::string parse_path(const std::string& option, const std::string& text) {
   if (text.empty()) throw Error(Errc::invalid_argument, option + ": the file name is empty");
   if (text.front() == '-')
@@ -26,11 +31,14 @@ std::string parse_path(const std::string& option, const std::string& text) {
 }
 
 void HeightOptions::add_to(CLI::App* app) {
-  add_parsed(app, "file", file, parse_path, "height field: PNG or GSF", "FILE")->required();
+  add_parsed(app, "file", file, parse_path, "height field, of a format that --version lists",
+             "FILE")
+      ->required();
   add_preparation_to(app);
 }
 
 void HeightOptions::add_preparation_to(CLI::App* app) {
+  evaluation::HeightScale& scale = choice.scale;
   CLI::Option* width =
       add_parsed(app, "--width", scale.width, parse_length, "columns x pixel, e.g. 65um", "LENGTH");
   add_parsed(app, "--pixel", scale.pixel, parse_length_pair, "pixel, or pixel along x,y",
@@ -40,6 +48,15 @@ void HeightOptions::add_preparation_to(CLI::App* app) {
              "height of the full-scale code of an integer image, e.g. 818.69nm", "LENGTH");
   add_parsed(app, "--height-unit", scale.height_unit, parse_length,
              "length of one unit of floating-point heights, e.g. 1nm", "LENGTH");
+  add_parsed(
+      app, "--channel", choice.channel,
+      [](const std::string&, const std::string& text) { return text; },
+      "title or number of the channel, where a file holds several", "NAME");
+  add_choice(app, "--missing", choice.missing, missing_choices,
+             "pixels that the file masks or that are not a number (default refuse)");
+  add_parsed(app, "--max-pixels", choice.max_pixels,
+             count_between(1, std::numeric_limits<int>::max()),
+             "refuse files of more pixels (default 2^28)", "N");
   add_parsed(app, "--reduce", reduction, count_between(1, 1 << 14),
              "average N x N blocks of pixels", "N");
   add_choice(app, "--level", level, level_choices,
@@ -56,7 +73,11 @@ evaluation::Json HeightOptions::parameters(const brdf::HeightField& field) const
                         {"pixel_um", {field.dx_um(), field.dy_um()}},
                         {"reduce", reduction},
                         {"level", level_name()}};
+  const evaluation::HeightScale& scale = choice.scale;
   if (scale.height_range) json["height_range_nm"] = scale.height_range->nm();
+  if (choice.channel) json["channel"] = *choice.channel;
+  if (choice.missing != evaluation::MissingHeights::refuse)
+    json["missing"] = name_in(missing_choices, choice.missing);
   return json;
 }
 
@@ -66,10 +87,11 @@ evaluation::HeightFile HeightOptions::read() const {
       throw Error(Errc::invalid_argument,
                   std::string(option) + " " + brdf::text(length->um()) + "um: must be > 0");
   };
+  const evaluation::HeightScale& scale = choice.scale;
   positive("--width", scale.width);
   positive("--height-range", scale.height_range);
   positive("--height-unit", scale.height_unit);
-  evaluation::HeightFile input = evaluation::read_heights(file, scale);
+  evaluation::HeightFile input = evaluation::read_heights(file, choice);
   input.field =
       brdf::levelled(brdf::reduced(input.field, reduction), level.value_or(brdf::Level::none));
   return input;

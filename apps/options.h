@@ -60,7 +60,7 @@ std::string parse_path(const std::string& option, const std::string& text);
 /// A height file and how it is prepared: the options that `info` and `sweep` share.
 struct HeightOptions {
   std::string file;
-  evaluation::HeightScale scale;
+  evaluation::HeightChoice choice;
   int reduction = 1;
   std::optional<brdf::Level> level;  ///< none, unless a preset says otherwise
 
@@ -76,6 +76,7 @@ struct HeightOptions {
 };
 
 extern const Choices<brdf::Level> level_choices;
+extern const Choices<evaluation::MissingHeights> missing_choices;
 
 /// An option of the command line, and whether it was given.
 using Given = std::pair<bool, const char*>;

@@ -104,10 +104,14 @@ void SurfaceColourOptions::require_consistent() const {
 }
 
 void SurfaceColourOptions::require_free_of_patch_options() const {
-  require_not_given({{heights_.scale.width.has_value(), "--width"},
-                     {heights_.scale.pixel.has_value(), "--pixel"},
-                     {heights_.scale.height_range.has_value(), "--height-range"},
-                     {heights_.scale.height_unit.has_value(), "--height-unit"},
+  require_not_given({{heights_.choice.scale.width.has_value(), "--width"},
+                     {heights_.choice.scale.pixel.has_value(), "--pixel"},
+                     {heights_.choice.scale.height_range.has_value(), "--height-range"},
+                     {heights_.choice.scale.height_unit.has_value(), "--height-unit"},
+                     {heights_.choice.channel.has_value(), "--channel"},
+                     {heights_.choice.missing != evaluation::MissingHeights::refuse, "--missing"},
+                     {heights_.choice.channel.has_value(), "--channel"},
+                     {heights_.choice.missing != evaluation::MissingHeights::refuse, "--missing"},
                      {heights_.reduction != 1, "--reduce"},
                      {heights_.level.has_value(), "--level"},
                      {lambda_nm_.has_value(), "--lambda"},

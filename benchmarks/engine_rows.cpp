@@ -46,10 +46,10 @@ void memory_of_a_scan(RatioTable& table) {
   const char* folder = std::getenv("SHEDLIGHT_REAL_DATA");
   if (folder == nullptr) return table.skipped(what, "SHEDLIGHT_REAL_DATA is not set");
   const auto before = resident_bytes();
-  evaluation::HeightScale scale;
-  scale.width = brdf::Length::um(patch_um);
-  scale.height_range = brdf::Length::nm(818.69);
-  const auto scan = evaluation::read_heights(std::string(folder) + "/xenopeltis_65um.png", scale);
+  evaluation::HeightChoice choice;
+  choice.scale.width = brdf::Length::um(patch_um);
+  choice.scale.height_range = brdf::Length::nm(818.69);
+  const auto scan = evaluation::read_heights(std::string(folder) + "/xenopeltis_65um.png", choice);
   const Queries queries = in_plane_sweep();
   Amplitudes amplitudes;
   const EngineTimes times =

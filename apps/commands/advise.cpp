@@ -79,7 +79,7 @@ std::vector<std::string> command_words(const AdviseOptions& options,
                                        const evaluation::AdviceScene& scene,
                                        const evaluation::Advice& advice) {
   const evaluation::MethodAdvice& method = advice.method;
-  const evaluation::HeightScale& scale = options.heights.scale;
+  const evaluation::HeightScale& scale = options.heights.choice.scale;
   std::vector<std::string> words{"shedlight sweep", shell_word(options.heights.file)};
   const auto option = [&](const std::string& name, const std::string& value) {
     words.push_back(name + " " + value);
@@ -88,6 +88,10 @@ std::vector<std::string> command_words(const AdviseOptions& options,
   if (scale.pixel) option("--pixel", um(scale.pixel->first) + "," + um(scale.pixel->second));
   if (scale.height_range) option("--height-range", um(*scale.height_range));
   if (scale.height_unit) option("--height-unit", um(*scale.height_unit));
+  const evaluation::HeightChoice& choice = options.heights.choice;
+  if (choice.channel) option("--channel", shell_word(*choice.channel));
+  if (choice.missing != evaluation::MissingHeights::refuse)
+    option("--missing", name_in(missing_choices, choice.missing));
   if (options.heights.reduction > 1) option("--reduce", std::to_string(options.heights.reduction));
   const brdf::Level asked = options.heights.level.value_or(brdf::Level::none);
   const brdf::Level level = method.level == brdf::Level::plane ? method.level : asked;

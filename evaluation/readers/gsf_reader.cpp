@@ -9,7 +9,7 @@
 
 #include "brdf/error.h"
 #include "evaluation/lengths.h"
-#include "evaluation/readers/height_reader.h"
+#include "evaluation/readers/height_formats.h"
 
 namespace evaluation::detail {
 namespace {
@@ -96,25 +96,30 @@ float little_endian_float(const char* bytes) {
 
 }  // namespace
 
-bool is_gsf(std::string_view bytes) {
-  return bytes.starts_with(magic);
+bool is_gsf(std::string_view head) {
+  return head.starts_with(magic);
 }
 
-RawHeights decode_gsf(std::string_view bytes, const std::string& name) {
-  const std::size_t header_end = bytes.find('\0');
+RawHeights decode_gsf(const FileSource& source, const HeightRequest& request) {
+  const std::string& name = source.name();
+  const std::size_t header_end = source.head().find('\0');
   if (header_end == std::string_view::npos)
-    throw Error(Errc::bad_input, name + ": GSF: header does not end; file is truncated");
-  std::string_view lines = bytes.substr(magic.size(), header_end - magic.size());
-  const GsfHeader header(lines, name);
+    throw Error(Errc::bad_input, name + (source.size() > FileSource::head_bytes
+                                             ? ": GSF: header does not end within " +
+                                                   std::to_string(FileSource::head_bytes) + " bytes"
+                                             : ": GSF: header does not end; file is truncated"));
+  const std::string header_text(source.head().substr(magic.size(), header_end - magic.size()));
+  const GsfHeader header(header_text, name);
   const std::uint64_t cols = header.count("XRes"), rows = header.count("YRes");
-  require_grid(cols, rows, name);
+  require_grid(cols, rows, request, name);
 
   const std::size_t data = (header_end / 4 + 1) * 4;
   const std::size_t expected = data + 4 * cols * rows;
-  if (bytes.size() != expected)
-    header.refuse(std::to_string(bytes.size()) + " bytes, " + std::to_string(cols) + " x " +
+  if (source.size() != expected)
+    header.refuse(std::to_string(source.size()) + " bytes, " + std::to_string(cols) + " x " +
                   std::to_string(rows) + " pixels need " + std::to_string(expected) +
-                  (bytes.size() < expected ? ": file is truncated" : ""));
+                  (source.size() < expected ? ": file is truncated" : ""));
+  const std::string_view bytes = source.bytes();
 
   RawHeights raw;
   raw.format = "Gwyddion Simple Field, 32 bit float";

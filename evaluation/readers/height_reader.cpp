@@ -1,10 +1,10 @@
 #include "evaluation/readers/height_reader.h"
 
 #include <cmath>
-#include <fstream>
 #include <limits>
 
-#include "evaluation/readers/file_bytes.h"
+#include "evaluation/readers/file_source.h"
+#include "evaluation/readers/height_formats.h"
 #include "evaluation/sha256.h"
 
 namespace evaluation {
@@ -14,7 +14,7 @@ using brdf::Errc;
 using brdf::Error;
 using brdf::Length;
 
-std::pair<Length, Length> pixel_size(const detail::RawHeights& raw, const HeightScale& scale,
+std::pair<Length, Length> pixel_size(const RawHeights& raw, const HeightScale& scale,
                                      const std::string& name) {
   if (scale.width) {
     const Length pixel = Length::um(scale.width->um() / static_cast<double>(raw.values.cols()));
@@ -26,8 +26,7 @@ std::pair<Length, Length> pixel_size(const detail::RawHeights& raw, const Height
 }
 
 /// Length of one unit of the stored values.
-Length height_unit(const detail::RawHeights& raw, const HeightScale& scale,
-                   const std::string& name) {
+Length height_unit(const RawHeights& raw, const HeightScale& scale, const std::string& name) {
   if (raw.full_scale) {
     if (scale.height_unit)
       throw Error(Errc::invalid_argument, name + ": --height-unit is for floating-point heights; " +
@@ -48,47 +47,52 @@ Length height_unit(const detail::RawHeights& raw, const HeightScale& scale,
   throw Error(Errc::bad_input, name + ": the file gives no unit of height; give --height-unit");
 }
 
+/// Integer codes are one unit apart, floats one rounding of the largest value.
+double stored_step(const RawHeights& raw) {
+  if (raw.step) return *raw.step;
+  if (raw.full_scale) return 1;
+  return raw.values.abs().maxCoeff() * static_cast<double>(std::numeric_limits<float>::epsilon());
+}
+
+RawHeights decoded(const FileSource& source, const HeightRequest& request) {
+  const HeightFormat* format = height_format_of(source.head());
+  if (format && format->is_built_in) return format->decode(source, request);
+  if (format)
+    throw Error(Errc::bad_input, source.name() + ": is " + std::string(format->name) +
+                                     ", which this build cannot read: it was made without " +
+                                     std::string(format->library));
+  std::string names;
+  for (const HeightFormat& known : height_formats())
+    names.append(names.empty() ? "" : ", ").append(known.name);
+  throw Error(Errc::bad_input, source.name() + ": not a known format; read are " + names);
+}
+
 }  // namespace
 
-void detail::require_grid(std::uint64_t cols, std::uint64_t rows, const std::string& name) {
-  if (cols == 0 || rows == 0 || cols > max_pixels || rows > max_pixels || cols * rows > max_pixels)
-    throw Error(Errc::bad_input, name + ": " + std::to_string(cols) + " x " + std::to_string(rows) +
-                                     " pixels, must be from 1 to " + std::to_string(max_pixels) +
-                                     " in all");
-}
-
 bool holds_heights(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string head(32, '\0');
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(file.gcount()));
-  return detail::is_png(head) || detail::is_gsf(head);
+  try {
+    return height_format_of(FileSource(path).head()) != nullptr;
+  } catch (const Error&) {
+    return false;
+  }
 }
 
-HeightFile read_heights(const std::filesystem::path& path, const HeightScale& scale) {
-  const std::string name = path.string();
-  const std::string bytes = read_file_bytes(path);
-  detail::RawHeights raw;
-  if (detail::is_png(bytes))
-    raw = detail::decode_png(bytes, name);
-  else if (detail::is_gsf(bytes))
-    raw = detail::decode_gsf(bytes, name);
-  else
-    throw Error(Errc::bad_input,
-                name + ": not a known format; PNG and Gwyddion Simple Field (.gsf) are read");
-
-  const std::pair<Length, Length> pixel = pixel_size(raw, scale, name);
-  const Length unit = height_unit(raw, scale, name);
-  // Integer codes are one unit apart, floats one rounding of the largest value.
-  const double code = raw.full_scale
-                          ? 1.0
-                          : raw.values.abs().maxCoeff() *
-                                static_cast<double>(std::numeric_limits<float>::epsilon());
+HeightFile read_heights(const std::filesystem::path& path, const HeightChoice& choice) {
+  const FileSource source(path);
+  const std::string& name = source.name();
+  RawHeights raw = decoded(source, {choice.channel, choice.max_pixels});
+  const std::pair<Length, Length> pixel = pixel_size(raw, choice.scale, name);
+  const Length unit = height_unit(raw, choice.scale, name);
+  const std::size_t filled = fill_missing(raw.values, choice.missing, name);
+  const Length step = Length::um(stored_step(raw) * unit.um());
   raw.values *= unit.um();
-  const Length step = Length::um(code * unit.um());
   return brdf::at_place(name, [&]() -> HeightFile {
-    return {brdf::HeightField(std::move(raw.values), pixel.first, pixel.second, step), raw.format,
-            sha256_hex(bytes)};
+    return {brdf::HeightField(std::move(raw.values), pixel.first, pixel.second, step),
+            raw.format,
+            sha256_hex(source.bytes()),
+            raw.channel,
+            raw.channels,
+            filled};
   });
 }
 

@@ -1,11 +1,15 @@
 // Height fields from files.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "brdf/height_field.h"
+#include "evaluation/readers/missing_heights.h"
 
 namespace evaluation {
 
@@ -17,46 +21,36 @@ struct HeightScale {
   std::optional<brdf::Length> height_unit;   ///< one unit of a floating-point format
 };
 
+/// Most pixels that are read, unless the user says otherwise.
+inline constexpr std::uint64_t max_pixels = std::uint64_t{1} << 28;
+
+/// What is taken from a file, and how.
+struct HeightChoice {
+  HeightScale scale = {};
+  std::optional<std::string> channel = {};  ///< title or number of one of several
+  MissingHeights missing = MissingHeights::refuse;
+  std::uint64_t max_pixels = evaluation::max_pixels;
+};
+
 /// A height field, and where it came from.
 struct HeightFile {
   brdf::HeightField field;
-  std::string format;  ///< for people, e.g. "PNG, 8 bit grey"
-  std::string sha256;  ///< of the file's bytes
+  std::string format;                      ///< for people, e.g. "PNG, 8 bit grey"
+  std::string sha256;                      ///< of the file's bytes
+  std::string channel = {};                ///< title; empty where the format has none
+  std::vector<std::string> channels = {};  ///< titles of all that there are
+  std::size_t filled = 0;                  ///< pixels that had no height
 };
 
-/// Most pixels that are read.
-inline constexpr std::size_t max_pixels = std::size_t{1} << 28;
-
-/// Reads PNG (8 or 16 bit grey, or colour where R = G = B) or Gwyddion Simple Field, recognised by
-/// content.
+/// Reads a height file of any of `height_formats`, recognised by content.
 ///
 /// Throws brdf::Error, one line naming file, place, value and limit. Errc::bad_input: missing,
-/// empty, truncated or unknown file, too many pixels, heights that are not finite, a scale that
-/// neither the file nor the user gives. Errc::invalid_argument: a scale that has no meaning for
-/// the format.
-HeightFile read_heights(const std::filesystem::path& path, const HeightScale& scale);
+/// empty, truncated or unknown file, too many pixels, heights that are missing or not finite, a
+/// scale that neither the file nor the user gives. Errc::invalid_argument: a scale that has no
+/// meaning for the format, a channel that is not there.
+HeightFile read_heights(const std::filesystem::path& path, const HeightChoice& choice);
 
 /// Whether a file begins like one of these formats; no for one that cannot be read.
 bool holds_heights(const std::filesystem::path& path);
 
-namespace detail {
-
-/// Heights as stored, before any scale.
-struct RawHeights {
-  brdf::HeightArray values;
-  std::string format;
-  std::optional<double> full_scale;  ///< largest code of an integer format
-  std::optional<brdf::Length> pixel_x, pixel_y;
-  std::optional<brdf::Length> unit;  ///< of the values
-};
-
-bool is_png(std::string_view bytes);
-bool is_gsf(std::string_view bytes);
-RawHeights decode_png(std::string_view bytes, const std::string& name);
-RawHeights decode_gsf(std::string_view bytes, const std::string& name);
-
-/// Refuses a grid that is empty or larger than max_pixels, before memory is taken for it.
-void require_grid(std::uint64_t cols, std::uint64_t rows, const std::string& name);
-
-}  // namespace detail
 }  // namespace evaluation

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "brdf/error.h"
-#include "evaluation/readers/height_reader.h"
+#include "evaluation/readers/height_formats.h"
 
 namespace evaluation::detail {
 namespace {
@@ -77,8 +77,9 @@ std::string place(png_uint_32 row, png_uint_32 col) {
   return "pixel at row " + std::to_string(row) + ", column " + std::to_string(col);
 }
 
-Samples read_samples(std::string_view bytes, const std::string& name) {
-  Source source{bytes};
+Samples read_samples(const FileSource& file, const HeightRequest& request) {
+  const std::string& name = file.name();
+  Source source{file.bytes()};
   png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, on_error, on_warning);
   png_infop info = png ? png_create_info_struct(png) : nullptr;
   if (!info) throw std::bad_alloc();
@@ -93,7 +94,7 @@ Samples read_samples(std::string_view bytes, const std::string& name) {
 
   Samples samples;
   if (!read_header(png, info, samples)) refuse(name, std::string("PNG: ") + source.message);
-  require_grid(samples.cols, samples.rows, name);
+  require_grid(samples.cols, samples.rows, request, name);
   const std::size_t row_bytes = png_get_rowbytes(png, info);
   samples.bytes.resize(row_bytes * samples.rows);
   samples.row_starts.resize(samples.rows);
@@ -105,13 +106,13 @@ Samples read_samples(std::string_view bytes, const std::string& name) {
 
 }  // namespace
 
-bool is_png(std::string_view bytes) {
-  return bytes.size() >= 8 &&
-         png_sig_cmp(reinterpret_cast<png_const_bytep>(bytes.data()), 0, 8) == 0;
+bool is_png(std::string_view head) {
+  return head.size() >= 8 && png_sig_cmp(reinterpret_cast<png_const_bytep>(head.data()), 0, 8) == 0;
 }
 
-RawHeights decode_png(std::string_view bytes, const std::string& name) {
-  const Samples samples = read_samples(bytes, name);
+RawHeights decode_png(const FileSource& source, const HeightRequest& request) {
+  const std::string& name = source.name();
+  const Samples samples = read_samples(source, request);
   const int sample_bytes = samples.file_bits == 16 ? 2 : 1;
   const int colours = samples.channels - (samples.has_alpha ? 1 : 0);
   // Sub-byte codes arrive multiplied up to 0..255.

@@ -49,7 +49,8 @@ inline std::vector<brdf::Query> queries_of(const std::vector<ScanCase>& cases) {
 inline evaluation::HeightFile read_scan(const std::filesystem::path& folder,
                                         const std::string& name) {
   using brdf::Length;
-  evaluation::HeightScale scale;
+  evaluation::HeightChoice choice;
+  evaluation::HeightScale& scale = choice.scale;
   if (name == "xenopeltis_65um.png") {
     scale.width = Length::um(65);
     scale.height_range = Length::nm(818.69);
@@ -57,7 +58,7 @@ inline evaluation::HeightFile read_scan(const std::filesystem::path& folder,
     scale.pixel = {Length::um(0.048828125), Length::um(0.048828125)};
     scale.height_range = Length::nm(434.7);
   }
-  return evaluation::read_heights(folder / name, scale);
+  return evaluation::read_heights(folder / name, choice);
 }
 
 /// rough_matrix.txt: heights in m on 256 x 256 pixels, 10 um wide, below lines that begin with #.

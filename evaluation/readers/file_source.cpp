@@ -1,0 +1,61 @@
+#include "evaluation/readers/file_source.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "brdf/error.h"
+
+namespace evaluation {
+
+FileSource::FileSource(const std::filesystem::path& path) : name_(path.string()) {
+  // Without O_NONBLOCK a pipe without a writer would wait for ever.
+  descriptor_ = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor_ < 0)
+    refuse(errno == ENOENT ? "no such file"
+                           : std::string("cannot be read: ") + std::strerror(errno));
+  try {
+    struct stat status {};
+    if (fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode))
+      refuse("is not a regular file");
+    if (status.st_size <= 0) refuse("file is empty");
+    size_ = static_cast<std::uint64_t>(status.st_size);
+    read_to(std::min<std::uint64_t>(size_, head_bytes));
+  } catch (...) {
+    close(descriptor_);
+    throw;
+  }
+}
+
+FileSource::~FileSource() {
+  close(descriptor_);
+}
+
+std::string_view FileSource::bytes() const {
+  read_to(size_);
+  return bytes_;
+}
+
+void FileSource::read_to(std::uint64_t size) const {
+  std::size_t done = bytes_.size();
+  if (done >= size) return;
+  bytes_.resize(size);
+  while (done < size) {
+    const ssize_t count =
+        pread(descriptor_, bytes_.data() + done, size - done, static_cast<off_t>(done));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) refuse(std::string("cannot be read: ") + std::strerror(errno));
+    if (count == 0) refuse("file has become shorter while it was read");
+    done += static_cast<std::size_t>(count);
+  }
+}
+
+void FileSource::refuse(const std::string& what) const {
+  throw brdf::Error(brdf::Errc::bad_input, name_ + ": " + what);
+}
+
+}  // namespace evaluation

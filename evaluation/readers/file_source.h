@@ -1,0 +1,42 @@
+// A file that is read no further than its decoder asks for.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace evaluation {
+
+/// A regular file, opened: its size and beginning are known before the rest is read, so that a
+/// header can be refused without the memory for what follows it.
+class FileSource {
+ public:
+  /// Throws Errc::bad_input where it is missing, no regular file, empty or unreadable.
+  explicit FileSource(const std::filesystem::path& path);
+  FileSource(const FileSource&) = delete;
+  FileSource& operator=(const FileSource&) = delete;
+  ~FileSource();
+
+  const std::string& name() const { return name_; }
+  std::uint64_t size() const { return size_; }
+  /// The first bytes, fewer where the file is shorter. At most `head_bytes`.
+  std::string_view head() const { return std::string_view(bytes_).substr(0, head_bytes); }
+  /// The whole file, read when first asked for. Throws Errc::bad_input where it cannot be read, or
+  /// has become shorter.
+  std::string_view bytes() const;
+
+  /// Longer than the header of any format.
+  static constexpr std::size_t head_bytes = 1 << 16;
+
+ private:
+  [[noreturn]] void refuse(const std::string& what) const;
+  void read_to(std::uint64_t size) const;
+
+  std::string name_;
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+  mutable std::string bytes_;
+};
+
+}  // namespace evaluation

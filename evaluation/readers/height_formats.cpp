@@ -1,0 +1,35 @@
+#include "evaluation/readers/height_formats.h"
+
+#include <algorithm>
+#include <array>
+
+#include "brdf/error.h"
+
+namespace evaluation {
+
+std::span<const HeightFormat> height_formats() {
+  static constexpr std::array formats{
+      HeightFormat{"PNG", "", true, detail::is_png, detail::decode_png},
+      HeightFormat{"Gwyddion Simple Field (.gsf)", "", true, detail::is_gsf, detail::decode_gsf},
+  };
+  return formats;
+}
+
+const HeightFormat* height_format_of(std::string_view head) {
+  const auto formats = height_formats();
+  const auto found = std::ranges::find_if(
+      formats, [&](const HeightFormat& format) { return format.recognises(head); });
+  return found == formats.end() ? nullptr : &*found;
+}
+
+void detail::require_grid(std::uint64_t cols, std::uint64_t rows, const HeightRequest& request,
+                          const std::string& name) {
+  const std::uint64_t most = request.max_pixels;
+  if (cols == 0 || rows == 0 || cols > most || rows > most / cols)
+    throw brdf::Error(brdf::Errc::bad_input, name + ": " + std::to_string(cols) + " x " +
+                                                 std::to_string(rows) +
+                                                 " pixels, must be from 1 to " +
+                                                 std::to_string(most) + " in all (--max-pixels)");
+}
+
+}  // namespace evaluation
