@@ -59,6 +59,8 @@ int run(int argc, char** argv) {
   apps::add_tradeoff(app);
   apps::add_stability(app);
   apps::add_validate(app);
+  apps::add_completion(app);
+  apps::add_manual(app);
   require_known_command(app, argc, argv);
   try {
     app.parse(argc, argv);

@@ -79,7 +79,7 @@ inline QueryBounds bounds_of(std::span<const Query> queries, double tolerance) {
     const Pair pair = Eigen::Map<const Pair>(all.col(i).data());
     lo = lo.min(pair);
     hi = hi.max(pair);
-    nothing += pair - pair;
+    nothing += 0 * pair;
   }
   if (!((nothing == 0).all() && last.isFinite().all()))
     throw Error(Errc::invalid_argument, "a query is not finite");

@@ -6,6 +6,11 @@
 #include <stdexcept>
 #include <string>
 
+// Under it NaN and infinity pass every check, and sums are taken in an order of the compiler's own.
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "shedlight must not be compiled with -ffast-math or -ffinite-math-only"
+#endif
+
 namespace brdf {
 
 /// What went wrong, for a caller to act on.

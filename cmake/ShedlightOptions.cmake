@@ -21,3 +21,11 @@ if(SHEDLIGHT_SANITIZE)
   # computing lies in evaluation and brdf.
   set(SHEDLIGHT_UNOPTIMISED -O0)
 endif()
+
+# Saves a third of compiling everything once; a build without it is what shows a missing include.
+option(SHEDLIGHT_PRECOMPILE "Precompile the headers of other libraries" OFF)
+function(shedlight_precompile target)
+  if(SHEDLIGHT_PRECOMPILE)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+  endif()
+endfunction()

@@ -22,5 +22,7 @@ void add_render(CLI::App& app);
 void add_tradeoff(CLI::App& app);
 void add_stability(CLI::App& app);
 void add_validate(CLI::App& app);
+void add_completion(CLI::App& app);
+void add_manual(CLI::App& app);
 
 }  // namespace apps
