@@ -25,6 +25,9 @@ class FileSource {
   /// The whole file, read when first asked for. Throws Errc::bad_input where it cannot be read, or
   /// has become shorter.
   std::string_view bytes() const;
+  /// Copies what there is from `offset` on, without keeping it; returns how many bytes, fewer than
+  /// `count` only at the end of the file. Throws Errc::bad_input where it cannot be read.
+  std::size_t read_at(std::uint64_t offset, char* to, std::size_t count) const;
 
   /// Longer than the header of any format.
   static constexpr std::size_t head_bytes = 1 << 16;
@@ -32,6 +35,7 @@ class FileSource {
  private:
   [[noreturn]] void refuse(const std::string& what) const;
   void read_to(std::uint64_t size) const;
+  void fetch(std::uint64_t offset, char* to, std::size_t count) const;
 
   std::string name_;
   int descriptor_ = -1;

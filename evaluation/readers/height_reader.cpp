@@ -39,7 +39,7 @@ Length height_unit(const RawHeights& raw, const HeightScale& scale, const std::s
   }
   if (scale.height_range)
     throw Error(Errc::invalid_argument, name + ": --height-range is for integer codes; " +
-                                            raw.format + " holds floating-point heights" +
+                                            raw.format + " holds heights as numbers" +
                                             (raw.unit ? " with their unit" : "") +
                                             " (--height-unit sets it)");
   if (scale.height_unit) return *scale.height_unit;

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -85,10 +86,15 @@ Outcome spawn(Words command, const fs::path& folder, const Environment& changes,
   posix_spawn_file_actions_destroy(&actions);
   if (failed != 0) fail(command.front(), failed);
   int status = 0;
-  while (waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) fail("waitpid", errno);
+  rusage usage{};
+  while (wait4(child, &status, 0, &usage) < 0)
+    if (errno != EINTR) fail("wait4", errno);
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return {code, out.text(), err.text()};
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return {code, out.text(), err.text(), seconds(usage.ru_utime) + seconds(usage.ru_stime),
+          usage.ru_maxrss};
 }
 
 Words with_program(Words arguments) {

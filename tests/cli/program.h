@@ -17,6 +17,8 @@ Words operator+(Words command, const std::string& argument);
 struct Outcome {
   int exit_code;  ///< 128 + signal where the program was killed
   std::string out, err;
+  double seconds = 0;  ///< of processors
+  long peak_kib = 0;   ///< most memory that was resident, this test's own at its start included
 };
 
 /// Variables to set, or with an empty value to remove.

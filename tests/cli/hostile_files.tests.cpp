@@ -1,0 +1,112 @@
+// Files that declare more than they hold: refused at once, in one line, in little memory.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/cli/refusal.h"
+
+namespace {
+
+// What a refused file may cost; the program itself takes some 0.01 s and 15 MiB.
+constexpr double most_seconds = 1;
+constexpr long most_kib = 64 << 10;
+
+/// Checks that `info` refuses a file in one line, at no more than what it may cost above the start
+/// of the program.
+void check_cheaply_refused(const Scratch& folder, const std::string& file,
+                           const std::string& options = "") {
+  const Outcome start = folder.shedlight("--version");
+  const Outcome outcome =
+      folder.shedlight("info " + file + " --width 1um --height-unit 1nm" + options);
+  INFO(file << ": " << outcome.err << outcome.seconds << " s, " << outcome.peak_kib << " KiB");
+  CHECK(outcome.exit_code == 3);
+  CHECK(outcome.out == "");
+  CHECK_THAT(outcome.err, Catch::StartsWith("shedlight: " + file + ": "));
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  CHECK(outcome.seconds <= most_seconds);
+  CHECK(outcome.peak_kib - start.peak_kib <= most_kib);
+}
+
+/// A number of `size` bytes, the least significant first.
+std::string little_endian(std::uint64_t value, int size) {
+  std::string bytes;
+  for (int i = 0; i < size; ++i) bytes += static_cast<char>(value >> 8 * i & 0xFF);
+  return bytes;
+}
+
+/// A tag of a TIFF with one value.
+struct Tag {
+  unsigned tag;
+  std::uint64_t value;
+};
+
+/// A classic TIFF of 236 bytes with one directory.
+std::string tiff(std::vector<Tag> tags) {
+  std::ranges::sort(tags, {}, &Tag::tag);
+  std::string bytes = "II*" + std::string(1, '\0') + little_endian(8, 4);
+  bytes += little_endian(tags.size(), 2);
+  constexpr int unsigned_long = 4;
+  for (const Tag& tag : tags)
+    bytes += little_endian(tag.tag, 2) + little_endian(unsigned_long, 2) + little_endian(1, 4) +
+             little_endian(tag.value, 4);
+  bytes.resize(236);
+  return bytes;
+}
+
+/// Grey, at offset 150 with 80 bytes of data.
+std::string grey_tiff(std::uint64_t cols, std::uint64_t rows, unsigned bits, unsigned compression,
+                      std::vector<Tag> more) {
+  more.insert(more.end(), {{256, cols}, {257, rows}, {258, bits}, {259, compression}, {262, 1}});
+  return tiff(std::move(more));
+}
+
+constexpr unsigned uncompressed = 1, lzw = 5, deflate = 8;
+const std::vector<Tag> one_strip{{273, 150}, {279, 80}};
+
+std::vector<Tag> tiles_of(std::uint64_t width, std::uint64_t length) {
+  return {{322, width}, {323, length}, {324, 150}, {325, 80}};
+}
+
+/// Makes a file four gigabytes long without giving it the room.
+void stretch(const Scratch& folder, const std::string& file) {
+  std::filesystem::resize_file(folder / file, std::uintmax_t{4} << 30);
+}
+
+}  // namespace
+
+TEST_CASE("a TIFF of 236 bytes that declares 40 GB is refused at once", "[cli][hostile]") {
+  const Scratch folder;
+  const auto check = [&](const std::string& bytes) {
+    folder.write("bomb.tif", bytes);
+    check_cheaply_refused(folder, "bomb.tif");
+  };
+  check(grey_tiff(100000, 100000, 32, uncompressed, one_strip));
+  CHECK(std::filesystem::file_size(folder / "bomb.tif") == 236);
+  check(grey_tiff(100000, 100000, 32, deflate, one_strip));
+  check(grey_tiff(0xFFFFFFFF, 0xFFFFFFFF, 64, lzw, one_strip));
+  // Within the limit of pixels, not within what 80 bytes can hold.
+  for (const unsigned compression : {uncompressed, lzw, deflate, 50000u}) {
+    check(grey_tiff(1 << 14, 1 << 14, 32, compression, one_strip));
+    check(grey_tiff(1 << 28, 1, 32, compression, one_strip));
+    check(grey_tiff(8, 8, 32, compression, tiles_of(1 << 14, 1 << 14)));
+    check(grey_tiff(1 << 14, 1 << 14, 32, compression, tiles_of(16, 16)));
+  }
+  // A table of a strip for each row.
+  check(grey_tiff(1, 1 << 28, 8, deflate, {{273, 150}, {278, 1}, {279, 80}}));
+}
+
+TEST_CASE("a large file that begins as a TIFF is not read whole to be refused", "[cli][hostile]") {
+  const Scratch folder;
+  for (const unsigned compression : {uncompressed, lzw, deflate}) {
+    folder.write("long.tif", grey_tiff(1 << 20, 1 << 20, 32, compression, one_strip));
+    stretch(folder, "long.tif");
+    check_cheaply_refused(folder, "long.tif");
+    // Now the bytes would suffice, but the strip has not as many.
+    folder.write("long.tif", grey_tiff(1 << 14, 1 << 14, 32, compression, one_strip));
+    stretch(folder, "long.tif");
+    check_cheaply_refused(folder, "long.tif");
+  }
+}
