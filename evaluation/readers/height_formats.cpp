@@ -4,6 +4,7 @@
 #include <array>
 
 #include "brdf/error.h"
+#include "evaluation/readers/sdf_reader.h"
 #include "evaluation/readers/tiff_reader.h"
 
 namespace evaluation {
@@ -12,6 +13,7 @@ std::span<const HeightFormat> height_formats() {
   static constexpr std::array formats{
       HeightFormat{"PNG", "", true, detail::is_png, detail::decode_png},
       HeightFormat{"Gwyddion Simple Field (.gsf)", "", true, detail::is_gsf, detail::decode_gsf},
+      HeightFormat{"Surface Data File (.sdf)", "", true, detail::is_sdf, detail::decode_sdf},
       // A decoder that is not built in is not referred to: the choice is made by the compiler.
       HeightFormat{"TIFF", "libtiff", SHEDLIGHT_HAS_TIFF, detail::is_tiff,
                    SHEDLIGHT_HAS_TIFF ? detail::decode_tiff : nullptr},

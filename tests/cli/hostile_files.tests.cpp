@@ -110,3 +110,20 @@ TEST_CASE("a large file that begins as a TIFF is not read whole to be refused", 
     check_cheaply_refused(folder, "long.tif");
   }
 }
+
+TEST_CASE("an SDF that declares 10^9 x 10^9 pixels is refused at once", "[cli][hostile]") {
+  const Scratch folder;
+  const auto sdf = [](const std::string& cols, const std::string& rows) {
+    return "aISO-1.0\nNumPoints = " + cols + "\nNumProfiles = " + rows +
+           "\nXscale = 1e-6\nYscale = 1e-6\nZscale = 1e-6\nCompression = 0\nDataType = 7\n"
+           "CheckType = 0\n*\n1 2 3 4\n*\n";
+  };
+  for (const std::string& bytes :
+       {sdf("1000000000", "1000000000"), sdf("4294967296", "4294967296"), sdf("16384", "16384"),
+        "bISO-2.0" + std::string(34, ' ') + std::string(8, '\xFF') + std::string(40, '?')}) {
+    folder.write("bomb.sdf", bytes);
+    check_cheaply_refused(folder, "bomb.sdf");
+    stretch(folder, "bomb.sdf");
+    check_cheaply_refused(folder, "bomb.sdf");
+  }
+}
