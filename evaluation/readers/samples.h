@@ -31,12 +31,17 @@ T little_endian(const char* bytes) {
   return native<T>(ordered);
 }
 
-/// Distance of neighbouring doubles at the largest finite value of an array.
-inline double step_of_doubles(const brdf::HeightArray& values) {
+/// Distance of neighbouring floating-point numbers at the largest finite value of an array;
+/// `epsilon` is that distance at 1.
+inline double step_at_largest(const brdf::HeightArray& values, double epsilon) {
   double largest = 0;
   for (const double value : values.reshaped())
     if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
-  return largest * std::numeric_limits<double>::epsilon();
+  return largest * epsilon;
+}
+
+inline double step_of_doubles(const brdf::HeightArray& values) {
+  return step_at_largest(values, std::numeric_limits<double>::epsilon());
 }
 
 }  // namespace evaluation::detail
