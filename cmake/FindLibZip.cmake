@@ -1,4 +1,4 @@
-# libzip's own CMake package fails on Debian unless its tools are installed too. Defines LibZip::zip.
+# On Debian libzip's own CMake package fails unless its tools are installed. Defines LibZip::zip.
 find_path(LibZip_INCLUDE_DIR zip.h)
 find_library(LibZip_LIBRARY zip)
 mark_as_advanced(LibZip_INCLUDE_DIR LibZip_LIBRARY)

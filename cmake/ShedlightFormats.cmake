@@ -2,12 +2,12 @@
 # libraries are found), ON (they are required) or OFF. What was built in is appended to
 # SHEDLIGHT_FORMAT_DEPENDENCIES, as lines for the installed package.
 #
-# shedlight_format(<FORMAT> SOURCES <files> PACKAGES <arguments of find_package>... TARGETS <targets>)
-# A package is one argument, with its version after a blank: "TIFF 4.5".
+# shedlight_format(<FORMAT> SOURCES <files> PACKAGES <packages> TARGETS <targets>)
+# A package is the arguments of find_package as one argument, with its version after a blank: "TIFF 4.5".
 function(shedlight_format format)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;PACKAGES;TARGETS")
   set(option SHEDLIGHT_WITH_${format})
-  set(${option} AUTO CACHE STRING "Read ${format} files: AUTO (where the library is found), ON, OFF")
+  set(${option} AUTO CACHE STRING "Read ${format}: AUTO (where its library is found), ON, OFF")
   set_property(CACHE ${option} PROPERTY STRINGS AUTO ON OFF)
   set(is_built_in 1)
   set(dependencies "${SHEDLIGHT_FORMAT_DEPENDENCIES}")

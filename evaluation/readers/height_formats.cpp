@@ -4,6 +4,7 @@
 #include <array>
 
 #include "brdf/error.h"
+#include "evaluation/readers/openexr_reader.h"
 #include "evaluation/readers/sdf_reader.h"
 #include "evaluation/readers/tiff_reader.h"
 #include "evaluation/readers/x3p_reader.h"
@@ -18,6 +19,8 @@ std::span<const HeightFormat> height_formats() {
       // A decoder that is not built in is not referred to: the choice is made by the compiler.
       HeightFormat{"TIFF", "libtiff", SHEDLIGHT_HAS_TIFF, detail::is_tiff,
                    SHEDLIGHT_HAS_TIFF ? detail::decode_tiff : nullptr},
+      HeightFormat{"OpenEXR", "OpenEXR", SHEDLIGHT_HAS_OPENEXR, detail::is_openexr,
+                   SHEDLIGHT_HAS_OPENEXR ? detail::decode_openexr : nullptr},
       HeightFormat{"X3P (.x3p)", "libzip and pugixml", SHEDLIGHT_HAS_X3P, detail::is_x3p,
                    SHEDLIGHT_HAS_X3P ? detail::decode_x3p : nullptr},
   };
