@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include "brdf/error.h"
 
@@ -31,8 +32,13 @@ FileSource::FileSource(const std::filesystem::path& path) : name_(path.string())
   }
 }
 
+FileSource::FileSource(std::string name, std::string bytes)
+    : name_(std::move(name)), size_(bytes.size()), bytes_(std::move(bytes)) {
+  if (bytes_.empty()) refuse("file is empty");
+}
+
 FileSource::~FileSource() {
-  close(descriptor_);
+  if (descriptor_ >= 0) close(descriptor_);
 }
 
 std::string_view FileSource::bytes() const {

@@ -8,12 +8,14 @@
 
 namespace evaluation {
 
-/// A regular file, opened: its size and beginning are known before the rest is read, so that a
-/// header can be refused without the memory for what follows it.
+/// A regular file, opened, or bytes in memory: its size and beginning are known before the rest is
+/// read, so that a header can be refused without the memory for what follows it.
 class FileSource {
  public:
   /// Throws Errc::bad_input where it is missing, no regular file, empty or unreadable.
   explicit FileSource(const std::filesystem::path& path);
+  /// What another program would have in a file of that name.
+  FileSource(std::string name, std::string bytes);
   FileSource(const FileSource&) = delete;
   FileSource& operator=(const FileSource&) = delete;
   ~FileSource();

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "brdf/error.h"
+#include "evaluation/readers/gwy_reader.h"
 
 namespace evaluation {
 
@@ -11,6 +12,7 @@ std::span<const HeightFormat> height_formats() {
   static constexpr std::array formats{
       HeightFormat{"PNG", "", true, detail::is_png, detail::decode_png},
       HeightFormat{"Gwyddion Simple Field (.gsf)", "", true, detail::is_gsf, detail::decode_gsf},
+      HeightFormat{"Gwyddion native (.gwy)", "", true, detail::is_gwy, detail::decode_gwy},
   };
   return formats;
 }
