@@ -93,6 +93,9 @@ HeightFile read_heights(const std::filesystem::path& path, const HeightChoice& c
 HeightFile read_heights(const FileSource& source, const HeightChoice& choice) {
   const std::string& name = source.name();
   RawHeights raw = decoded(source, {choice.channel, choice.max_pixels});
+  if (choice.channel && raw.channels.empty())
+    throw Error(Errc::invalid_argument,
+                name + ": --channel has no meaning for " + raw.format + ", which holds one");
   const std::pair<Length, Length> pixel = pixel_size(raw, choice.scale, name);
   const StoredScale scale = stored_scale(raw, choice.scale, name);
   const std::size_t filled = fill_missing(raw.values, choice.missing, name);

@@ -76,16 +76,11 @@ static void write_heights(void) {
   fclose(file);
 }
 
-static void list(gpointer name, gpointer file) {
-  fprintf(file, "%s %d\n", (const char*)name, gwy_file_func_get_operations(name));
-}
-
 int main(int argc, char** argv) {
   gtk_init_check(&argc, &argv);
   if (argc != 2) return 2;
   folder = argv[1];
   gwy_app_init_nongui(NULL);
-  if (getenv("LIST_FUNCTIONS")) gwy_file_func_foreach((GFunc)list, stdout);
   gwy_app_data_browser_set_gui_enabled(FALSE);
 
   GwyContainer* one = gwy_container_new();
