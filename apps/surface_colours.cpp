@@ -256,7 +256,7 @@ SurfaceColours SurfaceColourOptions::baked(std::span<const DirectionPair> pairs)
 void SurfaceColourOptions::require_bakeable() const {
   require_consistent();
   if (is_geometric()) refuse("--method " + method_ + " knows no diffraction: nothing to bake");
-  if (evaluation::is_npy(file()))
+  if (evaluation::is_baked(file()))
     refuse(file() + " is a volume already: bake takes a height field");
   require_not_given(
       {{optics_.fresnel.has_value(), "--fresnel"}, {optics_.shadowing.has_value(), "--shadowing"}},
@@ -272,7 +272,7 @@ brdf::VolumeGrid SurfaceColourOptions::volume_grid(const PatchColours& patch) co
 
 SurfaceColours SurfaceColourOptions::colours(std::span<const DirectionPair> pairs) const {
   require_consistent();
-  if (evaluation::is_npy(file())) return baked(pairs);
+  if (evaluation::is_baked(file())) return baked(pairs);
   return is_geometric() ? geometric(pairs) : diffraction(pairs);
 }
 

@@ -8,6 +8,7 @@
 #include "apps/memory_limit.h"
 #include "evaluation/audit.h"
 #include "evaluation/diffraction.h"
+#include "evaluation/writers/npy_writer.h"
 
 namespace apps {
 namespace {
@@ -184,9 +185,12 @@ void run(SweepOptions options) {
   options.resolve();
   evaluation::SweepRequest request = options.request();
   std::optional<evaluation::OutputWithSidecar> output;
+  std::optional<evaluation::NpyAxes> axes;
   if (!options.output.empty() && !options.explain) {
     require_other_file(options.output, options.heights.file);
     output.emplace(options.output);
+    if (evaluation::has_extension(options.output, ".npy"))
+      axes.emplace(options.output, std::vector<std::string>{"lambda_nm", "theta_r_deg"});
   }
   const evaluation::HeightFile input = options.heights.read();
   options.scene.turn(input.field, options.heights.file);
@@ -196,14 +200,18 @@ void run(SweepOptions options) {
   const Computed computed =
       options.is_geometric() ? geometric_optics(options, request, input.field, limits)
                              : diffraction(options, request, options.surface(input.field), limits);
-  const std::string csv = to_csv(computed.response, options.layout);
-  if (!output) return print(csv);
+  const evaluation::ResponseMatrix& response = computed.response;
+  const std::string bytes =
+      axes ? evaluation::to_npy(response.values) : to_csv(response, options.layout);
+  if (!output) return print(bytes);
 
   Json sidecar = sidecar_head("sweep", options.heights.file, input.sha256);
   sidecar["parameters"] = common_json(options, request, input.field);
   sidecar["parameters"].update(computed.parameters);
   sidecar["error"] = computed.error;
-  sidecar = output->commit(csv, std::move(sidecar));
+  if (axes)
+    sidecar["axes"] = axes->commit({response.lambda_nm.values, response.theta_r_deg.values});
+  sidecar = output->commit(bytes, std::move(sidecar));
   if (options.json) print(sidecar.dump(2) + "\n");
 }
 

@@ -22,6 +22,8 @@ class FileSource {
 
   const std::string& name() const { return name_; }
   std::uint64_t size() const { return size_; }
+  /// No for bytes that were given in memory.
+  bool is_on_disk() const { return descriptor_ >= 0; }
   /// The first bytes, fewer where the file is shorter. At most `head_bytes`.
   std::string_view head() const { return std::string_view(bytes_).substr(0, head_bytes); }
   /// The whole file, read when first asked for. Throws Errc::bad_input where it cannot be read, or

@@ -5,6 +5,7 @@
 
 #include "brdf/error.h"
 #include "evaluation/readers/gwy_reader.h"
+#include "evaluation/readers/npy_heights.h"
 #include "evaluation/readers/text_reader.h"
 
 namespace evaluation {
@@ -14,6 +15,7 @@ std::span<const HeightFormat> height_formats() {
       HeightFormat{"PNG", "", true, detail::is_png, detail::decode_png},
       HeightFormat{"Gwyddion Simple Field (.gsf)", "", true, detail::is_gsf, detail::decode_gsf},
       HeightFormat{"Gwyddion native (.gwy)", "", true, detail::is_gwy, detail::decode_gwy},
+      HeightFormat{"NumPy (.npy)", "", true, detail::is_npy_heights, detail::decode_npy},
       // The last: it is told by having no other beginning than numbers.
       HeightFormat{"text (matrix or x, y, z)", "", true, detail::is_text, detail::decode_text},
   };

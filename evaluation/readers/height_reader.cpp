@@ -4,6 +4,7 @@
 
 #include "evaluation/readers/file_source.h"
 #include "evaluation/readers/height_formats.h"
+#include "evaluation/readers/vendor_reader.h"
 #include "evaluation/sha256.h"
 
 namespace evaluation {
@@ -70,6 +71,8 @@ RawHeights decoded(const FileSource& source, const HeightRequest& request) {
     throw Error(Errc::bad_input, source.name() + ": is " + std::string(format->name) +
                                      ", which this build cannot read: it was made without " +
                                      std::string(format->library));
+  if (source.is_on_disk() && detail::is_vendor_name(source.name()))
+    return detail::decode_through_gwyddion(source.name(), request);
   std::string names;
   for (const HeightFormat& known : height_formats())
     names.append(names.empty() ? "" : ", ").append(known.name);
