@@ -27,14 +27,17 @@ struct OutputFormat {
 
 constexpr const char* npy = ".npy";
 
-constexpr std::array formats{
-    OutputFormat{".gsf", "m, 32 bit",
-                 [](const HeightFile& input) { return to_gsf(input.field, input.channel); }},
-    OutputFormat{
-        npy, "um",
-        [](const HeightFile& input) { return evaluation::to_npy(input.field.heights_um()); }},
-    OutputFormat{".txt", "um",
-                 [](const HeightFile& input) { return to_text(input.field, input.channel); }}};
+constexpr std::array formats{OutputFormat{".gsf", "m, 32 bit",
+                                          [](const HeightFile& input) {
+                                            return evaluation::to_gsf(input.field, input.channel);
+                                          }},
+                             OutputFormat{npy, "um",
+                                          [](const HeightFile& input) {
+                                            return evaluation::to_npy(input.field.heights_um());
+                                          }},
+                             OutputFormat{".txt", "um", [](const HeightFile& input) {
+                                            return evaluation::to_text(input.field, input.channel);
+                                          }}};
 
 const OutputFormat& format_of(const std::string& output) {
   for (const OutputFormat& format : formats)

@@ -59,8 +59,9 @@ static void save(GwyContainer* data, const char* function, const char* name) {
   GError* error = NULL;
   snprintf(path, sizeof path, "%s/%s", folder, name);
   const gboolean whole = gwy_file_func_get_operations(function) & GWY_FILE_OPERATION_SAVE;
-  if (!(whole ? gwy_file_func_run_save : gwy_file_func_run_export)(function, data, path,
-                                                                   GWY_RUN_NONINTERACTIVE, &error)) {
+  gboolean (*run)(const gchar*, GwyContainer*, const gchar*, GwyRunType, GError**) =
+      whole ? gwy_file_func_run_save : gwy_file_func_run_export;
+  if (!run(function, data, path, GWY_RUN_NONINTERACTIVE, &error)) {
     fprintf(stderr, "%s: %s\n", name, error ? error->message : "not saved");
     exit(1);
   }

@@ -16,7 +16,8 @@ while at < len(data):
 lines, width = zlib.decompress(packed), 2 * columns
 above = bytes(width)
 for row in range(rows):
-    kind, line = lines[row * (width + 1)], bytearray(lines[row * (width + 1) + 1:(row + 1) * (width + 1)])
+    begin = row * (width + 1)
+    kind, line = lines[begin], bytearray(lines[begin + 1:begin + 1 + width])
     for i in range(width):
         left, corner = (line[i - 2], above[i - 2]) if i >= 2 else (0, 0)
         guess = left + above[i] - corner

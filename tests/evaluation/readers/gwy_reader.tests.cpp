@@ -6,6 +6,7 @@
 #include "tests/support/damaged_files.h"
 #include "tests/support/foreign_files.h"
 #include "tests/support/is_error.h"
+#include "tests/support/real_data.h"
 
 namespace {
 
@@ -125,12 +126,9 @@ TEST_CASE("masked pixels are missing", "[gwy]") {
 
 TEST_CASE("a file of another library without units is refused until they are given",
           "[gwy][real]") {
-  const char* folder = std::getenv("SHEDLIGHT_REAL_DATA");
-  if (folder == nullptr) {
-    WARN("skipped: SHEDLIGHT_REAL_DATA is not set");
-    return;
-  }
-  const auto path = std::filesystem::path(folder) / "lattice_nounit.gwy";
+  const auto folder = real_data();
+  if (!folder) return;
+  const auto path = *folder / "lattice_nounit.gwy";
   HeightChoice choice;
   CHECK_ERROR(evaluation::read_heights(path, choice), Errc::bad_input, "--width or --pixel");
   choice.scale.width = Length::um(5);
@@ -182,6 +180,9 @@ TEST_CASE("a container that cannot be right is refused", "[gwy]") {
              Catch::Contains("34359738360 bytes"));
   CHECK_THAT(refused(channel_item(0, good) + text("x") + 'O' + bytes_of(0xFFFFFFFFu)),
              Catch::Contains("truncated or damaged"));
+  // A size that reaches beyond the object by a byte, by which the file is longer.
+  CHECK_THAT(refused(channel_item(0, good) + text("x") + 'd' + std::string(7, '\0')),
+             Catch::Contains("8 bytes are said to follow where 7 are left"));
   CHECK_THAT(refusal_of(file(channel_item(0, good)) + "tail"), Catch::Contains("follow"));
   CHECK_THAT(refusal_of("GWYP" + object("GwyGraph", "")), Catch::Contains("no GwyContainer"));
   CHECK_THAT(refused(channel_item(0, field(1, 1, {INFINITY}))), Catch::Contains("finite"));
