@@ -61,10 +61,16 @@ TEST_CASE("text of any usual encoding is read", "[text]") {
   CHECK_THAT(refusal_of("\xEF\xBB\xBF# Breite: 2,5 \xC2\xB5m\n" + text, plain()),
              Catch::Contains("line 1") && Catch::Contains("decimal comma"));
   // A surrogate pair in a title, and half of one.
-  for (const std::string& title : {std::string("\x3D\xD8\x00\xDE", 4), std::string("\x3D\xD8", 2)})
-    check_heights("\xFF\xFE" + utf16("# Channel: ", false).substr(2) + title +
-                      utf16("\n" + text, false).substr(2),
-                  expected);
+  const std::pair<std::string, std::string> titles[] = {
+      {std::string("\x3D\xD8\x00\xDE", 4), "\xF0\x9F\x98\x80"},
+      {std::string("\x3D\xD8", 2), "\xEF\xBF\xBD"},
+      {std::string("\xF6\x00\x78\x30", 4), "\xC3\xB6\xE3\x81\xB8"}};
+  for (const auto& [wide, narrow] : titles) {
+    const auto read = read_bytes(
+        utf16("# Channel: ", false) + wide + utf16("\n" + text, false).substr(2), plain());
+    CHECK(read.channel == narrow);
+    CHECK((read.field.heights_um() == expected).all());
+  }
 }
 
 TEST_CASE("the lines of Gwyddion are known in its languages", "[text]") {
