@@ -7,6 +7,7 @@
 #include "apps/commands/commands.h"
 #include "apps/console.h"
 #include "apps/exit_codes.h"
+#include "apps/process.h"
 #include "apps/version.h"
 #include "brdf/error.h"
 
@@ -77,6 +78,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  apps::prepare_process();
   try {
     return run(argc, argv);
   } catch (const apps::ValidationFailed&) {

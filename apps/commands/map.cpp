@@ -172,8 +172,7 @@ void run(const MapOptions& options) {
   parameters["clipped"] = shown.clipped;
   sidecar["error"] = colours.error;
   sidecar["linear_xyz"] = {{"file", npy.filename().string()}, {"sha256", hash.hex()}};
-  linear.commit();
-  output.commit(png, std::move(sidecar));
+  output.commit(png, std::move(sidecar), {&linear});
   message(colours.summary());
   message(options.exposure.summary(exposure));
   warn_of_clipped(shown.clipped, shown.rgb.size(), "pixels", "srgb", options.surface.file());

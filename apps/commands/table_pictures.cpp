@@ -54,8 +54,10 @@ evaluation::Json TablePictures::finish(std::span<const brdf::SpectrumExtrema> po
   return described_;
 }
 
-void TablePictures::commit() {
-  for (evaluation::OutputFile& output : outputs_) output.commit();
+std::vector<evaluation::OutputFile*> TablePictures::outputs() {
+  std::vector<evaluation::OutputFile*> outputs;
+  for (evaluation::OutputFile& output : outputs_) outputs.push_back(&output);
+  return outputs;
 }
 
 void TablePictures::write(std::size_t number, const std::string& png) {
