@@ -11,11 +11,15 @@
 namespace apps {
 namespace {
 
+constexpr pid_t starting = -1;
 std::atomic<pid_t> running_child = 0;
+constexpr int ending[] = {SIGINT, SIGTERM, SIGHUP};
 
 extern "C" void end_cleanly(int signal) {
   evaluation::remove_temporary_names();
-  if (const pid_t child = running_child; child > 0) kill(child, SIGKILL);
+  pid_t child = running_child;
+  for (; child == starting; child = running_child) usleep(100);  // by another thread: it goes on
+  if (child > 0) kill(child, SIGKILL);
   raise(signal);  // SA_RESETHAND: now it kills, once the handler returns
 }
 
@@ -35,13 +39,26 @@ void prepare_process() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(descriptor, F_GETFD) < 0)  // opening takes the lowest that is free
       open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) end_by(signal);
+  for (const int signal : ending) end_by(signal);
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGCHLD, SIG_DFL);  // who ignores it learns no child's status
 }
 
-EndedWithUs::EndedWithUs(pid_t child) {
-  running_child = child;
+EndedWithUs::EndedWithUs(const std::function<pid_t()>& start) {
+  sigset_t held, before;
+  sigemptyset(&held);
+  for (const int signal : ending) sigaddset(&held, signal);
+  pthread_sigmask(SIG_BLOCK, &held, &before);
+  running_child = starting;
+  try {
+    child_ = start();
+  } catch (...) {
+    running_child = 0;
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    throw;
+  }
+  running_child = child_;
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
 EndedWithUs::~EndedWithUs() {

@@ -3,6 +3,8 @@
 
 #include <sys/types.h>
 
+#include <functional>
+
 namespace apps {
 
 /// To be called first.
@@ -16,10 +18,15 @@ void prepare_process();
 /// A child that a signal ends with us.
 class EndedWithUs {
  public:
-  explicit EndedWithUs(pid_t child);
+  /// start: gives its number, or throws. No signal comes between the two.
+  explicit EndedWithUs(const std::function<pid_t()>& start);
   EndedWithUs(const EndedWithUs&) = delete;
   EndedWithUs& operator=(const EndedWithUs&) = delete;
   ~EndedWithUs();
+  pid_t child() const { return child_; }
+
+ private:
+  pid_t child_;
 };
 
 }  // namespace apps

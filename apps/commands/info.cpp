@@ -76,7 +76,7 @@ void add_info(CLI::App& app) {
   info->add_flag("--json", options->json, "as JSON");
   info->callback([options] {
     const evaluation::Json description = describe(*options);
-    print(options->json ? description.dump(2) + "\n" : for_people(description));
+    print(options->json ? evaluation::json_text(description) : for_people(description));
   });
 }
 

@@ -105,10 +105,10 @@ void run(const MapOptions& options) {
   const std::filesystem::path npy = std::filesystem::path(options.output).replace_extension(".npy");
   if (npy == std::filesystem::path(options.output))
     throw brdf::Error(brdf::Errc::invalid_argument, "output " + options.output +
-                                                        ": a picture is a PNG; its XYZ go into " +
+                                                        ": is no picture; its XYZ go into " +
                                                         npy.string() + " beside it");
   require_other_file(npy.string(), options.surface.file());
-  evaluation::OutputWithSidecar output(options.output);
+  PictureOutput output(options.output);
   evaluation::OutputFile linear(npy);
 
   const evaluation::Hemisphere hemisphere(options.size);
@@ -145,7 +145,7 @@ void run(const MapOptions& options) {
     picture.panels.back().caption =
         fmt::format("exposure {:.4g}{}", exposure, apart ? "; mirror lobe left out" : "");
   }
-  const std::string png = draw_png(picture);
+  const std::string drawn = draw(picture, output.format);
 
   const std::vector<double> xyz = linear_xyz(options, hemisphere, colours.xyz);
   const auto side = static_cast<std::size_t>(options.size);
@@ -172,7 +172,7 @@ void run(const MapOptions& options) {
   parameters["clipped"] = shown.clipped;
   sidecar["error"] = colours.error;
   sidecar["linear_xyz"] = {{"file", npy.filename().string()}, {"sha256", hash.hex()}};
-  output.commit(png, std::move(sidecar), {&linear});
+  output.commit(drawn, std::move(sidecar), {&linear});
   message(colours.summary());
   message(options.exposure.summary(exposure));
   warn_of_clipped(shown.clipped, shown.rgb.size(), "pixels", "srgb", options.surface.file());
@@ -215,7 +215,8 @@ void add_map(CLI::App& app) {
              "draw where the orders of this period are expected", "LENGTH");
   add_parsed(map, "--arcs-azimuth", options->arcs_azimuth, parse_angle,
              "azimuth of its grating vector (default: phi_i)", "ANGLE");
-  add_output(map, options->output, "PNG file, with its sidecar FILE.json and its colours as NPY")
+  add_output(map, options->output,
+             "PNG, SVG or PDF, with its sidecar FILE.json and its colours as NPY")
       ->required();
   map->callback([options] { run(*options); });
 }

@@ -45,12 +45,13 @@ void TablePictures::see(int power, const brdf::HalfSpectrum& spectrum,
                         const brdf::HeightField& field, const std::string& title) {
   if (power >= most_powers) return;
   write(static_cast<std::size_t>(power) + 1,
-        draw_png(SpectrumPicture{&spectrum, field.dx_um(), field.dy_um(), power, title}));
+        draw(SpectrumPicture{&spectrum, field.dx_um(), field.dy_um(), power, title},
+             PictureFormat::png));
 }
 
 evaluation::Json TablePictures::finish(std::span<const brdf::SpectrumExtrema> powers,
                                        const std::string& title) {
-  write(0, draw_png(ExtremaPicture{powers, title}));
+  write(0, draw(ExtremaPicture{powers, title}, PictureFormat::png));
   return described_;
 }
 

@@ -74,10 +74,14 @@ void OutputWithSidecar::write(std::string_view bytes) {
 
 Json OutputWithSidecar::commit(Json sidecar, std::vector<OutputFile*> beside) {
   sidecar["output"] = {{"file", output_.target().filename().string()}, {"sha256", hash_.hex()}};
-  sidecar_.write(sidecar.dump(2) + "\n");
+  sidecar_.write(json_text(sidecar));
   beside.insert(beside.begin(), {&output_, &sidecar_});
   OutputFile::commit_together(beside);
   return sidecar;
+}
+
+std::string json_text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 fs::path sidecar_path(const fs::path& output) {

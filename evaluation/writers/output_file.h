@@ -74,6 +74,9 @@ class OutputWithSidecar {
   Sha256 hash_;
 };
 
+/// JSON as it is written, indented. Bytes of a file name that are no UTF-8 become U+FFFD.
+std::string json_text(const Json& json);
+
 /// `<output>.json`
 std::filesystem::path sidecar_path(const std::filesystem::path& output);
 
