@@ -124,6 +124,10 @@ int TemporaryFile::rename_to(const char* target) const noexcept {
   return rename(name_.c_str(), target) == 0 ? 0 : errno;
 }
 
+int TemporaryFile::link_to(const char* target) const noexcept {
+  return link(name_.c_str(), target) == 0 ? 0 : errno;
+}
+
 void TemporaryFile::remove_name() const noexcept {
   unlink(name_.c_str());
 }

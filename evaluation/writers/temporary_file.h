@@ -24,6 +24,8 @@ class TemporaryFile {
   // What a forked process may call: system calls alone. 0, or the number of the error.
   int give_name() const noexcept;
   int rename_to(const char* target) const noexcept;
+  /// A second name, for a target that must not be there yet.
+  int link_to(const char* target) const noexcept;
   void remove_name() const noexcept;
 
   /// Somebody else has renamed it, or is about to: from here on the name is not removed.
