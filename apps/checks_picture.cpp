@@ -30,9 +30,9 @@ struct Series {
 
 }  // namespace
 
-std::string draw_png(const ChecksPicture& picture) {
+std::string draw(const ChecksPicture& picture, PictureFormat format) {
   const auto count = static_cast<int>(picture.rows.size());
-  return draw_png({1300, 150 + 26 * count}, [&](Gnuplot& gp, const TemporaryFolder& folder) {
+  return draw({1300, 150 + 26 * count}, format, [&](Drawing& gp) {
     gp << "set title " << quoted(picture.title) << "\n";
     gp << "set key inside top right\nset tics out\nset grid x\n"
        << "set logscale x\nset format x '%.0e'\nset xlabel 'error, of the peak or relative'\n"
@@ -57,9 +57,8 @@ std::string draw_png(const ChecksPicture& picture) {
     std::string command;
     for (const Series* one : {&passed, &failed, &limits, &refused}) {
       if (one->points.empty()) continue;
-      command += (command.empty() ? "plot " : ", ") +
-                 series(gp, one->points, folder.file(fmt::format("{}.bin", command.size()))) +
-                 " with " + one->style + " title " + quoted(one->title);
+      command += (command.empty() ? "plot " : ", ") + gp.series(one->points) + " with " +
+                 one->style + " title " + quoted(one->title);
     }
     gp << command << "\n";
   });

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/picture_format.h"
 #include "evaluation/checks.h"
 
 namespace apps {
@@ -13,9 +14,9 @@ struct ChecksPicture {
   std::string title;
 };
 
-/// The bytes of a PNG: a line per row, from its worst error (a point) to its limit (a bar), on one
+/// The bytes of a file: a line per row, from its worst error (a point) to its limit (a bar), on one
 /// logarithmic scale; red where it failed; a diamond where some cases were refused, and nothing
 /// else where all were. Throws Errc::cannot_write where gnuplot is missing or fails.
-std::string draw_png(const ChecksPicture& picture);
+std::string draw(const ChecksPicture& picture, PictureFormat format);
 
 }  // namespace apps

@@ -15,7 +15,9 @@ namespace apps {
 void message(const std::string& text) {
   std::string line = text;
   std::replace(line.begin(), line.end(), '\n', ' ');
-  fmt::print(stderr, "shedlight: {}\n", line);
+  line = fmt::format("shedlight: {}\n", line);
+  // Where standard error takes nothing there is nobody to tell.
+  std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
 void print(std::string_view result) {
@@ -44,8 +46,10 @@ evaluation::Progress progress_line(std::string_view what) {
     const bool last = done >= 1;
     if (spent.count() < 1 || (percent == state->shown && !last)) return;
     state->shown = percent;
-    fmt::print(stderr, "\r{} {:3d} %  {:.0f} s{}", state->what, percent, spent.count(),
-               last ? "\n" : "");
+    std::fputs(fmt::format("\r{} {:3d} %  {:.0f} s{}", state->what, percent, spent.count(),
+                           last ? "\n" : "")
+                   .c_str(),
+               stderr);
     std::fflush(stderr);
   };
 }

@@ -22,8 +22,8 @@ double largest_value(const CutPicture& picture) {
 
 }  // namespace
 
-std::string draw_png(const CutPicture& picture) {
-  return draw_png({1200, 700}, [&](Gnuplot& gp, const TemporaryFolder& folder) {
+std::string draw(const CutPicture& picture, PictureFormat format) {
+  return draw({1200, 700}, format, [&](Drawing& gp) {
     gp << "set key outside top center horizontal\nset tics out\nset grid\n";
     gp << "set title " << quoted(picture.title) << "\n";
     gp << "set xlabel 'viewing angle theta_r [deg]'\nset ylabel " << quoted(picture.value_label)
@@ -38,8 +38,7 @@ std::string draw_png(const CutPicture& picture) {
     for (std::size_t i = 0; i < picture.curves.size(); ++i) {
       const CutPicture::Curve& curve = picture.curves[i];
       command +=
-          (i > 0 ? ", " : "") +
-          series(gp, curve.points, folder.file(fmt::format("curve{}.bin", i))) +
+          (i > 0 ? ", " : "") + gp.series(curve.points) +
           fmt::format(" with lines lw 2 lc rgb '{}' title ", colours[i % std::size(colours)]) +
           quoted(curve.name);
     }

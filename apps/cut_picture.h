@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "apps/picture_format.h"
+
 namespace apps {
 
 enum class ValueScale { linear, logarithmic };
@@ -20,8 +22,8 @@ struct CutPicture {
   std::string title, value_label;
 };
 
-/// The bytes of a PNG. On a logarithmic scale six decades below the largest value are shown.
+/// The bytes of a file. On a logarithmic scale six decades below the largest value are shown.
 /// Throws Errc::cannot_write where gnuplot is missing or fails.
-std::string draw_png(const CutPicture& picture);
+std::string draw(const CutPicture& picture, PictureFormat format);
 
 }  // namespace apps

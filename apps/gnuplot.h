@@ -3,27 +3,57 @@
 
 #include <gnuplot-iostream.h>
 
-#include <filesystem>
+#include <deque>
 #include <functional>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "apps/picture_format.h"
 #include "evaluation/axis.h"
 
 namespace apps {
 
-/// A folder of its own for script and data, removed at the end.
-class TemporaryFolder {
+/// A file in memory, under a name that a child finds too: nothing stays behind, however a run ends.
+class MemoryFile {
  public:
-  TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder();
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
+  /// Throws Errc::cannot_write.
+  MemoryFile();
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  ~MemoryFile();
+
+  std::string path() const { return "/dev/fd/" + std::to_string(descriptor_); }
+  std::string bytes() const;
 
  private:
-  std::filesystem::path path_;
+  int descriptor_;
+};
+
+/// The script of a picture, with its data. Numbers are kept in binary: as text they would have six
+/// digits. All but `quoted` text is taken as commands.
+class Drawing : public Gnuplot {
+ public:
+  Drawing() : Drawing(std::make_unique<MemoryFile>()) {}
+
+  /// Points, for a plot command.
+  std::string series(const std::vector<std::pair<double, double>>& points);
+  /// Rows of an image, for a plot command.
+  std::string image(const std::vector<std::vector<double>>& rows);
+  /// Bytes, as a gnuplot string expression that names them.
+  std::string file(std::string_view bytes);
+
+  /// The script written so far. Throws Errc::cannot_write where it is not whole.
+  const MemoryFile& script();
+
+ private:
+  explicit Drawing(std::unique_ptr<MemoryFile> script)
+      : Gnuplot(std::string(1, '>').append(script->path())), script_(std::move(script)) {}
+
+  std::unique_ptr<MemoryFile> script_;
+  std::deque<MemoryFile> data_;
 };
 
 /// Text as a gnuplot string expression.
@@ -33,11 +63,7 @@ std::string quoted(const std::string& text);
 std::pair<double, double> grid(const evaluation::Axis& axis);
 
 /// Sets a range to the cells of an axis.
-void set_range(Gnuplot& gp, const char* name, const evaluation::Axis& axis);
-
-/// Points for a plot command, in binary: as text they would keep six digits.
-std::string series(Gnuplot& gp, const std::vector<std::pair<double, double>>& points,
-                   const std::string& file);
+void set_range(Drawing& gp, const char* name, const evaluation::Axis& axis);
 
 /// Dark to light, perceptually ordered; points and curves stand out on it.
 extern const char* const dark_to_light;
@@ -46,9 +72,9 @@ struct PictureSize {
   int width, height;  ///< pixels
 };
 
-/// The bytes of the PNG that the commands draw. Titles never reach gnuplot as commands as long as
-/// they go through `quoted`. Throws Errc::cannot_write where gnuplot is missing or fails.
-std::string draw_png(PictureSize size,
-                     const std::function<void(Gnuplot&, const TemporaryFolder&)>& commands);
+/// The bytes of the picture that the commands draw. Throws Errc::cannot_write where gnuplot is
+/// missing or fails.
+std::string draw(PictureSize size, PictureFormat format,
+                 const std::function<void(Drawing&)>& commands);
 
 }  // namespace apps

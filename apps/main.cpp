@@ -7,8 +7,10 @@
 #include "apps/commands/commands.h"
 #include "apps/console.h"
 #include "apps/exit_codes.h"
+#include "apps/process.h"
 #include "apps/version.h"
 #include "brdf/error.h"
+#include "evaluation/readers/height_formats.h"
 
 namespace {
 
@@ -30,11 +32,22 @@ void require_known_command(const CLI::App& app, int argc, char** argv) {
   refuse("unknown subcommand " + first);
 }
 
+/// The version, and the height files that this build reads.
+std::string version_text() {
+  std::string read, missing;
+  for (const evaluation::HeightFormat& format : evaluation::height_formats()) {
+    std::string& list = format.is_built_in ? read : missing;
+    list.append(list.empty() ? "" : ", ").append(format.name);
+    if (!format.is_built_in) list.append(" (made without ").append(format.library).append(")");
+  }
+  return std::string("shedlight ") + apps::version + " (" + apps::commit + ")\nreads " + read +
+         ", and what gwyddion converts" + (missing.empty() ? "" : "\nnot read: " + missing);
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"Diffraction from measured and synthetic gratings: response, peaks, period."};
   app.name("shedlight");
-  app.set_version_flag("--version",
-                       std::string("shedlight ") + apps::version + " (" + apps::commit + ")");
+  app.set_version_flag("--version", version_text());
   app.footer(
       "Example:\n"
       "  shedlight synth blazed --period 2500nm --height 200nm --size 65um --pixels 650 -o g.gsf\n"
@@ -44,6 +57,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   apps::add_synth(app);
   apps::add_info(app);
+  apps::add_convert(app);
   apps::add_advise(app);
   apps::add_precompute(app);
   apps::add_sweep(app);
@@ -79,6 +93,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  apps::prepare_process();
   try {
     return run(argc, argv);
   } catch (const apps::ValidationFailed&) {

@@ -35,7 +35,7 @@ std::optional<Chord> chord(const OrderArcs& arcs, int order, brdf::Length wavele
                place * cosine - half * sine, place * sine + half * cosine};
 }
 
-void draw_arcs(Gnuplot& gp, const OrderArcs& arcs, const MapPanel& panel) {
+void draw_arcs(Drawing& gp, const OrderArcs& arcs, const MapPanel& panel) {
   const std::pair<double, const char*> lines[] = {
       {450, "#5080ff"}, {550, "#40d040"}, {650, "#ff5040"}};
   const int last = static_cast<int>(2 * arcs.period.um() / 0.45) + 1;
@@ -53,7 +53,7 @@ void draw_arcs(Gnuplot& gp, const OrderArcs& arcs, const MapPanel& panel) {
   }
 }
 
-void draw_frame(Gnuplot& gp) {
+void draw_frame(Drawing& gp) {
   for (const int theta : {30, 60, 90}) {
     const double radius = std::sin(theta * brdf::pi / 180);
     gp << fmt::format("set object circle at 0,0 size {:.6g} front fs empty border rgb '{}' lw 1\n",
@@ -64,7 +64,7 @@ void draw_frame(Gnuplot& gp) {
   }
 }
 
-void draw_panel(Gnuplot& gp, const MapPicture& picture, const MapPanel& panel,
+void draw_panel(Drawing& gp, const MapPicture& picture, const MapPanel& panel,
                 const std::string& file) {
   const double x = std::sin(panel.theta_i.rad()) * std::cos(panel.phi_i.rad()),
                y = std::sin(panel.theta_i.rad()) * std::sin(panel.phi_i.rad());
@@ -86,7 +86,7 @@ void draw_panel(Gnuplot& gp, const MapPicture& picture, const MapPanel& panel,
      << "\n";
   gp << "set xlabel " << quoted("sin θ_r cos φ_r") << R"(."\n".)" << quoted(panel.caption) << "\n";
   const double pixel = 2.0 / picture.size;
-  gp << "plot " << quoted(file)
+  gp << "plot " << file
      << fmt::format(
             " binary array=({0},{0}) format='%uchar%uchar%uchar%uchar' origin=({1:.9g},{1:.9g}) "
             "dx={2:.9g} dy={2:.9g} with rgbalpha notitle, ",
@@ -103,12 +103,12 @@ void draw_panel(Gnuplot& gp, const MapPicture& picture, const MapPanel& panel,
 
 }  // namespace
 
-std::string draw_png(const MapPicture& picture) {
+std::string draw(const MapPicture& picture, PictureFormat format) {
   const int count = static_cast<int>(picture.panels.size());
   const int columns = std::min(count, panels_per_row), rows = (count + columns - 1) / columns;
   const PictureSize panel{picture.size + 160, picture.size + 220};
   const PictureSize size{columns * panel.width, rows * panel.height + 40};
-  return draw_png(size, [&](Gnuplot& gp, const TemporaryFolder& folder) {
+  return draw(size, format, [&](Drawing& gp) {
     gp << fmt::format("set multiplot layout {},{} title ", rows, columns) << quoted(picture.title)
        << " font ',15'\n";
     gp << "set size ratio -1\nset xrange [-1.15:1.15]\nset yrange [-1.15:1.15]\n"
@@ -118,10 +118,8 @@ std::string draw_png(const MapPicture& picture) {
           "set key outside below center horizontal\n";
     for (std::size_t i = 0; i < picture.panels.size(); ++i) {
       const MapPanel& each = picture.panels[i];
-      const std::string file = folder.file(fmt::format("map{}.bin", i));
-      std::ofstream(file, std::ios::binary)
-          .write(reinterpret_cast<const char*>(each.rgba.data()),
-                 static_cast<std::streamsize>(each.rgba.size()));
+      const std::string file =
+          gp.file({reinterpret_cast<const char*>(each.rgba.data()), each.rgba.size()});
       draw_panel(gp, picture, each, file);
     }
     gp << "unset multiplot\n";

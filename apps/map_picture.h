@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/picture_format.h"
 #include "brdf/units.h"
 
 namespace apps {
@@ -32,7 +33,7 @@ struct MapPicture {
   std::optional<double> mirror_radius;  ///< where the mirror lobe is left out [sine]
 };
 
-/// The bytes of a PNG. Throws Errc::cannot_write where gnuplot is missing or fails.
-std::string draw_png(const MapPicture& picture);
+/// The bytes of a file. Throws Errc::cannot_write where gnuplot is missing or fails.
+std::string draw(const MapPicture& picture, PictureFormat format);
 
 }  // namespace apps

@@ -22,8 +22,7 @@ std::vector<std::vector<double>> logarithmic(const evaluation::ResponseMatrix& r
 
 }  // namespace
 
-std::string plot_response_map(Gnuplot& gp, const TemporaryFolder& folder,
-                              const evaluation::ResponseMatrix& response,
+std::string plot_response_map(Drawing& gp, const evaluation::ResponseMatrix& response,
                               const evaluation::PlaneOfIncidence& plane,
                               const std::string& value_label) {
   const double brightest = response.values.maxCoeff();
@@ -38,7 +37,7 @@ std::string plot_response_map(Gnuplot& gp, const TemporaryFolder& folder,
   gp << "set cblabel " << quoted("log10 of " + value_label) << "\n";
   gp << fmt::format("set cbrange [{:.17g}:{:.17g}]\n", std::log10(floor),
                     std::log10(std::max(brightest, floor * 10)));
-  return "plot " + gp.binFile2d(logarithmic(response, floor), "array", folder.file("map.bin")) +
+  return "plot " + gp.image(logarithmic(response, floor)) +
          fmt::format(" origin=({:.17g},{:.17g}) dx={:.17g} dy={:.17g} with image notitle", x0, y0,
                      dx, dy);
 }

@@ -24,19 +24,18 @@ std::vector<std::pair<double, double>> fitted_curve(const ResponsePicture& pictu
   return curve;
 }
 
-void heat_map(Gnuplot& gp, const ResponsePicture& picture, const TemporaryFolder& folder) {
-  gp << plot_response_map(gp, folder, *picture.response, picture.plane, picture.value_label);
+void heat_map(Drawing& gp, const ResponsePicture& picture) {
+  gp << plot_response_map(gp, *picture.response, picture.plane, picture.value_label);
   std::vector<std::pair<double, double>> points;
   for (const Peak& peak : picture.peaks)
     if (peak.theta_r_deg) points.emplace_back(*peak.theta_r_deg, peak.lambda_nm);
   if (!points.empty())
-    gp << ", " << series(gp, points, folder.file("peaks.bin"))
+    gp << ", " << gp.series(points)
        << " with points pt 7 ps 0.35 lc rgb 'black' title 'peak of each wavelength'";
   if (picture.fit) {
     const auto curve = fitted_curve(picture);
     if (!curve.empty())
-      gp << ", " << series(gp, curve, folder.file("fit.bin"))
-         << " with lines lw 2 dt 2 lc rgb '#0060ff' title "
+      gp << ", " << gp.series(curve) << " with lines lw 2 dt 2 lc rgb '#0060ff' title "
          << quoted(fmt::format("grating equation, order {:+d}, d = {:.2f} nm", picture.order,
                                picture.fit->period_nm));
   }
@@ -44,7 +43,7 @@ void heat_map(Gnuplot& gp, const ResponsePicture& picture, const TemporaryFolder
 }
 
 /// Period of each peak, with the fit and its outliers.
-void period_panel(Gnuplot& gp, const ResponsePicture& picture, const TemporaryFolder& folder) {
+void period_panel(Drawing& gp, const ResponsePicture& picture) {
   std::vector<std::pair<double, double>> periods;
   for (const Peak& peak : picture.peaks)
     if (peak.theta_r_deg)
@@ -55,23 +54,23 @@ void period_panel(Gnuplot& gp, const ResponsePicture& picture, const TemporaryFo
   set_range(gp, "xrange", picture.response->lambda_nm);
   gp << fmt::format("plot {:.17g} with lines lw 2 lc rgb '#0080c0' title ", d)
      << quoted(fmt::format("fit {:.2f} nm, standard error {:.2g} nm", d, error)) << ", "
-     << series(gp, periods, folder.file("periods.bin"))
+     << gp.series(periods)
      << " with points pt 7 ps 0.5 lc rgb '#c04000' title 'period of each peak'\n";
 }
 
 }  // namespace
 
-std::string draw_png(const ResponsePicture& picture) {
+std::string draw(const ResponsePicture& picture, PictureFormat format) {
   const PictureSize size{1200, picture.fit ? 1150 : 800};
-  return draw_png(size, [&](Gnuplot& gp, const TemporaryFolder& folder) {
+  return draw(size, format, [&](Drawing& gp) {
     gp << dark_to_light;
     gp << "set key outside top center horizontal\nset tics out\n";
     if (picture.fit) gp << "set multiplot\nset origin 0,0.3\nset size 1,0.7\n";
     gp << "set title " << quoted(picture.title) << "\n";
-    heat_map(gp, picture, folder);
+    heat_map(gp, picture);
     if (!picture.fit) return;
     gp << "set origin 0,0\nset size 1,0.3\nunset title\nunset colorbox\n";
-    period_panel(gp, picture, folder);
+    period_panel(gp, picture);
     gp << "unset multiplot\n";
   });
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/picture_format.h"
 #include "evaluation/peaks.h"
 #include "evaluation/period_fit.h"
 #include "evaluation/response_matrix.h"
@@ -21,10 +22,10 @@ struct ResponsePicture {
   std::string title, value_label;
 };
 
-/// The bytes of a PNG: a heat map with peaks and fitted grating equation, and the period
+/// The bytes of a file: a heat map with peaks and fitted grating equation, and the period
 /// wavelength by wavelength below.
 ///
 /// Throws Errc::cannot_write where gnuplot is missing or fails.
-std::string draw_png(const ResponsePicture& picture);
+std::string draw(const ResponsePicture& picture, PictureFormat format);
 
 }  // namespace apps

@@ -59,18 +59,17 @@ std::string name(std::size_t number, const Ridge& ridge) {
                      100 * ridge.relative);
 }
 
-void map_panel(Gnuplot& gp, const RidgesPicture& picture, const TemporaryFolder& folder) {
+void map_panel(Drawing& gp, const RidgesPicture& picture) {
   std::string command =
-      plot_response_map(gp, folder, *picture.response, picture.plane, picture.value_label);
+      plot_response_map(gp, *picture.response, picture.plane, picture.value_label);
   const std::vector<Ridge>& ridges = picture.found->ridges;
   for (std::size_t i = 0; i < ridges.size(); ++i) {
     const Points whole = curve(picture, ridges[i]);
     if (whole.empty()) continue;
     // From 1.5 to 4 pixels.
     const double width = 1.5 + 2.5 * ridges[i].relative;
-    const std::string file = folder.file(fmt::format("ridge{}", i));
-    command += ", " + series(gp, whole, file + "whole.bin") + " with lines lw 1 dt 3 " + colour(i) +
-               " notitle, " + series(gp, present(whole, ridges[i]), file + ".bin") +
+    command += ", " + gp.series(whole) + " with lines lw 1 dt 3 " + colour(i) + " notitle, " +
+               gp.series(present(whole, ridges[i])) +
                fmt::format(" with lines lw {:.2f} {} ", width, colour(i)) +
                (i < most_named ? "title " + quoted(name(i, ridges[i])) : "notitle");
     gp << fmt::format("set label '{}' at {:.17g},{:.17g} center front boxed\n", i + 1,
@@ -79,7 +78,7 @@ void map_panel(Gnuplot& gp, const RidgesPicture& picture, const TemporaryFolder&
   gp << command << "\nunset label\n";
 }
 
-void mean_panel(Gnuplot& gp, const RidgesPicture& picture, const TemporaryFolder& folder) {
+void mean_panel(Drawing& gp, const RidgesPicture& picture) {
   const evaluation::Ridges& found = *picture.found;
   Points mean, ridges;
   double least = std::numeric_limits<double>::infinity(), most = 0;
@@ -101,24 +100,22 @@ void mean_panel(Gnuplot& gp, const RidgesPicture& picture, const TemporaryFolder
      << fmt::format("set xrange [{:.17g}:{:.17g}]\n", found.f_per_um.front(), found.f_per_um.back())
      // Six decades at most, with room for the numbers above.
      << fmt::format("set yrange [{:.6g}:{:.6g}]\n", std::max(least / 2, most * 1e-6), most * 8);
-  gp << "plot " << series(gp, mean, folder.file("mean.bin"))
-     << " with lines lw 1.5 lc rgb '#404040' notitle, "
-     << series(gp, ridges, folder.file("ridges.bin"))
-     << " with points pt 7 ps 0.9 lc rgb '#c04000' notitle\n";
+  gp << "plot " << gp.series(mean) << " with lines lw 1.5 lc rgb '#404040' notitle, "
+     << gp.series(ridges) << " with points pt 7 ps 0.9 lc rgb '#c04000' notitle\n";
 }
 
 }  // namespace
 
-std::string draw_png(const RidgesPicture& picture) {
-  return draw_png({1200, 1150}, [&](Gnuplot& gp, const TemporaryFolder& folder) {
+std::string draw(const RidgesPicture& picture, PictureFormat format) {
+  return draw({1200, 1150}, format, [&](Drawing& gp) {
     gp << dark_to_light;
     gp << "set key outside top center horizontal\nset tics out\n"
        << "set style textbox opaque fillcolor rgb '#ffffff' border lc rgb '#000000'\n";
     gp << "set multiplot\nset lmargin at screen 0.08\nset rmargin at screen 0.88\n";
     gp << "set origin 0,0.28\nset size 1,0.72\nset title " << quoted(picture.title) << "\n";
-    map_panel(gp, picture, folder);
+    map_panel(gp, picture);
     gp << "set origin 0,0\nset size 1,0.28\nunset title\nunset colorbox\nunset key\n";
-    mean_panel(gp, picture, folder);
+    mean_panel(gp, picture);
     gp << "unset multiplot\n";
   });
 }

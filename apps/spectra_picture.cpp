@@ -86,8 +86,8 @@ double largest_extremum(std::span<const SpectrumExtrema> powers) {
 
 }  // namespace
 
-std::string draw_png(const SpectrumPicture& picture) {
-  return draw_png({1000, 900}, [&](Gnuplot& gp, const TemporaryFolder& folder) {
+std::string draw(const SpectrumPicture& picture, PictureFormat format) {
+  return draw({1000, 900}, format, [&](Drawing& gp) {
     const Side x{picture.spectrum->cols, picture.dx_um}, y{picture.spectrum->rows, picture.dy_um};
     Rows rows = cells_of(*picture.spectrum, x, y);
     double largest = 0;
@@ -106,7 +106,7 @@ std::string draw_png(const SpectrumPicture& picture) {
     // Equal scales while neither side becomes a strip.
     if (const double aspect = picture.dx_um / picture.dy_um; aspect > 0.25 && aspect < 4)
       gp << "set size ratio -1\n";
-    gp << "plot " << gp.binFile2d(rows, "array", folder.file("table.bin"))
+    gp << "plot " << gp.image(rows)
        << fmt::format(
               " origin=({:.17g},{:.17g}) dx={:.17g} dy={:.17g} with image "
               "notitle\n",
@@ -114,7 +114,7 @@ std::string draw_png(const SpectrumPicture& picture) {
   });
 }
 
-std::string draw_png(const ExtremaPicture& picture) {
+std::string draw(const ExtremaPicture& picture, PictureFormat format) {
   struct Curve {
     const char *name, *style;
     double (*value)(const SpectrumExtrema&);
@@ -124,7 +124,7 @@ std::string draw_png(const ExtremaPicture& picture) {
       {"smallest Re", "lc rgb '#56b4e9' pt 6", [](const SpectrumExtrema& e) { return e.re.min; }},
       {"largest Im", "lc rgb '#d55e00' pt 5", [](const SpectrumExtrema& e) { return e.im.max; }},
       {"smallest Im", "lc rgb '#e69f00' pt 4", [](const SpectrumExtrema& e) { return e.im.min; }}};
-  return draw_png({1200, 700}, [&](Gnuplot& gp, const TemporaryFolder& folder) {
+  return draw({1200, 700}, format, [&](Drawing& gp) {
     gp << "set key outside top center horizontal\nset tics out\nset grid\n";
     gp << "set title " << quoted(picture.title) << "\n";
     gp << "set xlabel 'power n'\nset ylabel \"extrema of DFT of s^n, summed over the pixels\\n"
@@ -139,8 +139,7 @@ std::string draw_png(const ExtremaPicture& picture) {
       for (const SpectrumExtrema& extrema : picture.powers)
         points.emplace_back(static_cast<double>(points.size()),
                             symmetric_log(curve.value(extrema)));
-      const std::string file = std::string(curve.name) + ".bin";
-      command += (&curve == curves ? "" : ", ") + series(gp, points, folder.file(file)) +
+      command += (&curve == curves ? "" : ", ") + gp.series(points) +
                  " with linespoints lw 2 ps 0.9 " + curve.style + " title '" + curve.name + "'";
     }
     gp << command << "\n";

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "apps/picture_format.h"
 #include "brdf/half_spectrum.h"
 #include "brdf/spectrum_extrema.h"
 
@@ -23,13 +24,13 @@ struct ExtremaPicture {
   std::string title;
 };
 
-// The bytes of a PNG. Both throw Errc::cannot_write where gnuplot is missing or fails.
+// The bytes of a file. Both throw Errc::cannot_write where gnuplot is missing or fails.
 
 /// Eight decades below the largest value are shown. Of a grid of more than 1024 bins along a side a
 /// cell shows the largest of several, so that no line is lost.
-std::string draw_png(const SpectrumPicture& picture);
+std::string draw(const SpectrumPicture& picture, PictureFormat format);
 /// On an axis that is linear up to 1, the share of one pixel, and logarithmic beyond, for both
 /// signs.
-std::string draw_png(const ExtremaPicture& picture);
+std::string draw(const ExtremaPicture& picture, PictureFormat format);
 
 }  // namespace apps

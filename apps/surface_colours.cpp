@@ -175,32 +175,24 @@ Json SurfaceColourOptions::audited(const PatchColours& patch,
           {"relative_to", "the peak of a flat patch"}};
 }
 
-void SurfaceColourOptions::evaluate(std::span<const DirectionPair> pairs,
-                                    const evaluation::DirectionColours& colours,
-                                    SurfaceColours& result) const {
-  const auto began = std::chrono::steady_clock::now();
-  result.xyz = brdf::at_place(
-      file(), [&] { return colours_of(pairs, colours, run_.limits(), progress_line("colours")); });
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-}
-
-SurfaceColours SurfaceColourOptions::diffraction(std::span<const DirectionPair> pairs) const {
+SurfaceColours SurfaceColourOptions::diffraction(std::span<const DirectionPair> pairs,
+                                                 const Evaluate& evaluate) const {
   const std::vector<Eigen::Vector3d> scattering = scattering_vectors(pairs);
   const auto ready = read_patch();
   prepare(*ready, scattering, pairs.size());
   const OpticsOptions optics = resolved_optics();
   const evaluation::DiffractionColours colours(*ready->colours, optics.optics(ready->surface));
   SurfaceColours result;
-  evaluate(pairs, colours, result);
   result.input_sha256 = ready->input.sha256;
   result.parameters = ready->parameters;
   result.parameters.update(optics.parameters());
+  evaluate(colours, result);
   result.error = audited(*ready, scattering);
   result.mirror_radius = mirror_radius(ready->surface);
   return result;
 }
 
-SurfaceColours SurfaceColourOptions::geometric(std::span<const DirectionPair> pairs) const {
+SurfaceColours SurfaceColourOptions::geometric(const Evaluate& evaluate) const {
   const evaluation::HeightFile input = heights_.read();
   const OpticsOptions optics = resolved_optics();
   const auto model = geometric_.model(method_, optics, input.field);
@@ -208,17 +200,17 @@ SurfaceColours SurfaceColourOptions::geometric(std::span<const DirectionPair> pa
   const evaluation::SpectralColours colours(reflectance, brdf::StepIntegral(wavelengths()),
                                             evaluation::white_scale(quantity()));
   SurfaceColours result;
-  evaluate(pairs, colours, result);
   result.input_sha256 = input.sha256;
   result.parameters = heights_.parameters(input.field);
   result.parameters["method"] = method_;
   result.parameters.update(model_json(model));
   result.parameters["quantity"] = name_in(quantity_choices, quantity());
+  evaluate(colours, result);
   result.error = {{"of_the_model", "rounding alone"}, {"diffraction", "not modelled"}};
   return result;
 }
 
-SurfaceColours SurfaceColourOptions::baked(std::span<const DirectionPair> pairs) const {
+SurfaceColours SurfaceColourOptions::baked(const Evaluate& evaluate) const {
   require_free_of_patch_options();
   const evaluation::ColourVolumeFile volume =
       evaluation::read_colour_volume(file(), memory_allowed(run_.memory_limit));
@@ -244,10 +236,10 @@ SurfaceColours SurfaceColourOptions::baked(std::span<const DirectionPair> pairs)
       lookup, {*optics.quantity, number("coherence_area_um2"), optics.facet(),
                optics.shadowing.value_or(evaluation::Shadowing::none)});
   SurfaceColours result;
-  evaluate(pairs, colours, result);
   result.input_sha256 = volume.sha256;
   result.parameters = {{"baked", volume.sidecar.at("parameters")}};
   result.parameters.update(optics.parameters());
+  evaluate(colours, result);
   if (volume.sidecar.contains("error")) result.error = volume.sidecar.at("error");
   result.mirror_radius = number("mirror_radius_sine");
   return result;
@@ -256,7 +248,7 @@ SurfaceColours SurfaceColourOptions::baked(std::span<const DirectionPair> pairs)
 void SurfaceColourOptions::require_bakeable() const {
   require_consistent();
   if (is_geometric()) refuse("--method " + method_ + " knows no diffraction: nothing to bake");
-  if (evaluation::is_npy(file()))
+  if (evaluation::is_baked(file()))
     refuse(file() + " is a volume already: bake takes a height field");
   require_not_given(
       {{optics_.fresnel.has_value(), "--fresnel"}, {optics_.shadowing.has_value(), "--shadowing"}},
@@ -270,10 +262,26 @@ brdf::VolumeGrid SurfaceColourOptions::volume_grid(const PatchColours& patch) co
   });
 }
 
-SurfaceColours SurfaceColourOptions::colours(std::span<const DirectionPair> pairs) const {
+SurfaceColours SurfaceColourOptions::colours(std::span<const DirectionPair> pairs,
+                                             const CheckpointOptions& checkpoint,
+                                             const Json& request) const {
   require_consistent();
-  if (evaluation::is_npy(file())) return baked(pairs);
-  return is_geometric() ? geometric(pairs) : diffraction(pairs);
+  const Evaluate evaluate = [&](const evaluation::DirectionColours& colours,
+                                SurfaceColours& result) {
+    Json asked = sidecar_head("colours", file(), result.input_sha256);
+    asked["parameters"] = result.parameters;
+    asked["parameters"].update(request);
+    result.checkpoint = checkpoint.open(std::move(asked));
+    evaluation::RunLimits limits = run_.limits();
+    limits.chunks = result.checkpoint.get();
+    const auto began = std::chrono::steady_clock::now();
+    result.xyz = brdf::at_place(
+        file(), [&] { return colours_of(pairs, colours, limits, progress_line("colours")); });
+    result.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  };
+  if (evaluation::is_baked(file())) return baked(evaluate);
+  return is_geometric() ? geometric(evaluate) : diffraction(pairs, evaluate);
 }
 
 }  // namespace apps

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "apps/commands/checkpoint_options.h"
 #include "apps/commands/geometric_options.h"
 #include "apps/commands/illuminated_options.h"
 #include "apps/commands/optics_options.h"
@@ -28,6 +30,7 @@ struct SurfaceColours {
   evaluation::Json parameters, error;
   /// Sine of the angle around the mirror direction that the lobe of order 0 fills; 0 without one.
   double mirror_radius = 0;
+  std::shared_ptr<evaluation::Checkpoint> checkpoint;  ///< null without one
 
   /// "205892 colours in 0.052 s"
   std::string summary() const;
@@ -45,7 +48,10 @@ class SurfaceColourOptions {
   const std::string& file() const { return heights_.file; }
   /// The colours of all pairs, with a progress line, warnings and an audit. The pairs are best
   /// listed block by block (evaluation/direction_colours.h).
-  SurfaceColours colours(std::span<const evaluation::DirectionPair> pairs) const;
+  /// request: what the pairs come from, for a checkpoint of them.
+  SurfaceColours colours(std::span<const evaluation::DirectionPair> pairs,
+                         const CheckpointOptions& checkpoint = {},
+                         const evaluation::Json& request = evaluation::Json::object()) const;
 
   /// Refuses what no volume can be made of: a volume, and a model without diffraction.
   void require_bakeable() const;
@@ -77,11 +83,13 @@ class SurfaceColourOptions {
   OpticsOptions resolved_optics() const;
   void check_sampling(std::span<const Eigen::Vector3d> scattering,
                       const brdf::HeightField& field) const;
-  void evaluate(std::span<const evaluation::DirectionPair> pairs,
-                const evaluation::DirectionColours& colours, SurfaceColours& result) const;
-  SurfaceColours diffraction(std::span<const evaluation::DirectionPair> pairs) const;
-  SurfaceColours geometric(std::span<const evaluation::DirectionPair> pairs) const;
-  SurfaceColours baked(std::span<const evaluation::DirectionPair> pairs) const;
+  /// Computes the colours of a result whose input and parameters are known.
+  using Evaluate =
+      std::function<void(const evaluation::DirectionColours& colours, SurfaceColours& result)>;
+  SurfaceColours diffraction(std::span<const evaluation::DirectionPair> pairs,
+                             const Evaluate& evaluate) const;
+  SurfaceColours geometric(const Evaluate& evaluate) const;
+  SurfaceColours baked(const Evaluate& evaluate) const;
 
   HeightOptions heights_;
   IlluminatedOptions illuminated_;

@@ -17,7 +17,7 @@ using evaluation::PeriodEstimate;
 using Points = std::vector<std::pair<double, double>>;
 
 /// How far each line lies from its place in an even lattice of the period found [nm].
-void lines_panel(Gnuplot& gp, const PeriodEstimate& estimate, const TemporaryFolder& folder) {
+void lines_panel(Drawing& gp, const PeriodEstimate& estimate) {
   const auto& phases = estimate.phases;
   const std::size_t count = phases.size();
   const double carrier_nm = estimate.period_nm;
@@ -38,8 +38,7 @@ void lines_panel(Gnuplot& gp, const PeriodEstimate& estimate, const TemporaryFol
                                              along / squares * (phases.line[i] - line_mean)));
   gp << "set xlabel 'line, counted from the middle of the patch'\n"
      << "set ylabel 'off an even lattice [nm]'\nset grid\n"
-     << "plot 0 with lines lw 1 lc rgb '#808080' notitle, "
-     << series(gp, places, folder.file("lines.bin"))
+     << "plot 0 with lines lw 1 lc rgb '#808080' notitle, " << gp.series(places)
      << " with linespoints pt 7 ps 0.7 lc rgb '#0060a0' title "
      << quoted(
             fmt::format("{} lines; drifting with probability {:.2f}", count, estimate.drift_share))
@@ -47,7 +46,7 @@ void lines_panel(Gnuplot& gp, const PeriodEstimate& estimate, const TemporaryFol
 }
 
 /// What the period is in parts of the patch and by light, beside its interval.
-void parts_panel(Gnuplot& gp, const SurfacePeriodsPicture& picture, const TemporaryFolder& folder) {
+void parts_panel(Drawing& gp, const SurfacePeriodsPicture& picture) {
   const PeriodEstimate& estimate = *picture.period->heights;
   Points patches, windows, light;
   std::string bars, tics;
@@ -93,9 +92,8 @@ void parts_panel(Gnuplot& gp, const SurfacePeriodsPicture& picture, const Tempor
   std::string command;
   const auto plot = [&](const Points& points, const char* style, const char* name) {
     if (points.empty()) return;
-    command += (command.empty() ? "plot " : ", ") +
-               series(gp, points, folder.file(fmt::format("part{}.bin", command.size()))) +
-               " with points " + style + " title " + quoted(name);
+    command += (command.empty() ? "plot " : ", ") + gp.series(points) + " with points " + style +
+               " title " + quoted(name);
   };
   plot(heights, "pt 7 ps 1.4 lc rgb '#d50000'", "heights");
   plot(light, "pt 5 ps 1.2 lc rgb '#0072b2'", "light");
@@ -104,8 +102,7 @@ void parts_panel(Gnuplot& gp, const SurfacePeriodsPicture& picture, const Tempor
   gp << command << "\nunset arrow\nset ytics auto\n";
 }
 
-void around_panel(Gnuplot& gp, const SurfacePeriodsPicture& picture,
-                  const TemporaryFolder& folder) {
+void around_panel(Drawing& gp, const SurfacePeriodsPicture& picture) {
   double deepest = 0;
   for (const auto& one : picture.around) deepest = std::max(deepest, one.depth_nm);
   Points strong, weak;
@@ -115,33 +112,33 @@ void around_panel(Gnuplot& gp, const SurfacePeriodsPicture& picture,
      << "set xlabel 'azimuth of the plane of incidence [deg]'\nset ylabel 'period met [nm]'\n";
   std::string command;
   if (!weak.empty())
-    command = "plot " + series(gp, weak, folder.file("weak.bin")) +
-              " with points pt 6 ps 0.5 lc rgb '#a0a0a0' title 'weaker'";
+    command =
+        "plot " + gp.series(weak) + " with points pt 6 ps 0.5 lc rgb '#a0a0a0' title 'weaker'";
   if (!strong.empty())
-    command += (command.empty() ? "plot " : ", ") + series(gp, strong, folder.file("strong.bin")) +
+    command += (command.empty() ? "plot " : ", ") + gp.series(strong) +
                " with points pt 7 ps 0.9 lc rgb '#d50000' title 'at least 30 % of the deepest'";
   gp << command << "\n";
 }
 
 }  // namespace
 
-std::string draw_png(const SurfacePeriodsPicture& picture) {
+std::string draw(const SurfacePeriodsPicture& picture, PictureFormat format) {
   const PeriodEstimate& estimate = *picture.period->heights;
   const bool has_lines = estimate.lines > 0;
-  return draw_png({1100, has_lines ? 1200 : 850}, [&](Gnuplot& gp, const TemporaryFolder& folder) {
+  return draw({1100, has_lines ? 1200 : 850}, format, [&](Drawing& gp) {
     gp << "set key outside top center horizontal\nset tics out\nset multiplot\n"
        << "set lmargin at screen 0.3\nset rmargin at screen 0.96\n";
     const double third = has_lines ? 0.3 : 0.0, rest = (1 - third) / 2;
     gp << fmt::format("set origin 0,{}\nset size 1,{}\nset title ", 1 - rest, rest)
        << quoted(picture.title) << "\n";
-    parts_panel(gp, picture, folder);
+    parts_panel(gp, picture);
     gp << "unset title\nset autoscale x\nset autoscale y\n";
     if (has_lines) {
       gp << fmt::format("set origin 0,{}\nset size 1,{}\n", rest, third);
-      lines_panel(gp, estimate, folder);
+      lines_panel(gp, estimate);
     }
     gp << fmt::format("set origin 0,0\nset size 1,{}\n", rest);
-    around_panel(gp, picture, folder);
+    around_panel(gp, picture);
     gp << "unset multiplot\n";
   });
 }

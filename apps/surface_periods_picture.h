@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/picture_format.h"
 #include "evaluation/period/periods_around.h"
 #include "evaluation/period/surface_periods.h"
 
@@ -15,8 +16,8 @@ struct SurfacePeriodsPicture {
   std::string title;
 };
 
-/// The bytes of a PNG: places of the lines against an even lattice, the period by sub-patch and
+/// The bytes of a file: places of the lines against an even lattice, the period by sub-patch and
 /// window position and from light beside its interval, and period and depth against the azimuth.
-std::string draw_png(const SurfacePeriodsPicture& picture);
+std::string draw(const SurfacePeriodsPicture& picture, PictureFormat format);
 
 }  // namespace apps

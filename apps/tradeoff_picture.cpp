@@ -111,7 +111,7 @@ std::string decades(double lo, double hi) {
                      std::pow(10.0, std::ceil(std::log10(hi) + 0.05)));
 }
 
-void set_ranges(Gnuplot& gp, const std::vector<Panel>& panels) {
+void set_ranges(Drawing& gp, const std::vector<Panel>& panels) {
   double least_s = 1e30, most_s = 0, least = 1e30, most = 0;
   for (const Panel& panel : panels)
     for (const TradeoffRow* row : panel.rows) {
@@ -127,7 +127,7 @@ void set_ranges(Gnuplot& gp, const std::vector<Panel>& panels) {
 
 /// The names of the sources' settings in a column right of them, each tied to its point: side by
 /// side they would overlap.
-void name_sources(Gnuplot& gp, const Panel& panel) {
+void name_sources(Drawing& gp, const Panel& panel) {
   std::vector<const TradeoffRow*> rows;
   double right_s = 0;
   for (const TradeoffRow* row : panel.rows)
@@ -149,7 +149,7 @@ void name_sources(Gnuplot& gp, const Panel& panel) {
 }
 
 /// What the points are, once for all panels, in a strip below them.
-void draw_key(Gnuplot& gp, const std::vector<Panel>& panels) {
+void draw_key(Drawing& gp, const std::vector<Panel>& panels) {
   std::string entries = "keyentry with lines lw 2 lc rgb '#000000' title 'frontier'";
   bool has_chosen = false;
   for (const Panel& panel : panels) has_chosen = has_chosen || !panel.chosen.empty();
@@ -173,37 +173,32 @@ void draw_key(Gnuplot& gp, const std::vector<Panel>& panels) {
      << "set key inside center horizontal\nplot [0:1] [0:1] -1 notitle, " << entries << "\n";
 }
 
-void draw(Gnuplot& gp, const Panel& panel, const TemporaryFolder& folder) {
-  const std::string prefix = std::string(evaluation::name_of(panel.model)) + "_";
+void draw_panel(Drawing& gp, const Panel& panel) {
   gp << "unset label\nunset arrow\nset title " << quoted(panel.title()) << "\n";
   name_sources(gp, panel);
-  std::string command = "plot " +
-                        series(gp, panel.frontier(), folder.file(prefix + "frontier.bin")) +
-                        " with steps lw 2 lc rgb '#000000' notitle";
+  std::string command =
+      "plot " + gp.series(panel.frontier()) + " with steps lw 2 lc rgb '#000000' notitle";
   for (const Style& style : styles) {
     Points points;
     for (const TradeoffRow* row : panel.rows)
       if (style.has(*row)) points.push_back(point(*row));
     if (points.empty()) continue;
-    command += ", " +
-               series(gp, points, folder.file(prefix + std::to_string(&style - styles) + ".bin")) +
-               " with points " + style.points + " notitle";
+    command += ", " + gp.series(points) + " with points " + style.points + " notitle";
   }
   Points chosen;
   for (const TradeoffRow* row : panel.chosen) chosen.push_back(point(*row));
   if (!chosen.empty())
-    command += ", " + series(gp, chosen, folder.file(prefix + "chosen.bin")) +
-               " with points pt 6 ps 3 lw 2.5 lc rgb '#e600ac' notitle";
+    command += ", " + gp.series(chosen) + " with points pt 6 ps 3 lw 2.5 lc rgb '#e600ac' notitle";
   gp << command << "\n";
 }
 
 }  // namespace
 
-std::string draw_png(const TradeoffPicture& picture) {
+std::string draw(const TradeoffPicture& picture, PictureFormat format) {
   const std::vector<Panel> panels = panels_of(picture);
   const auto count = static_cast<double>(panels.size());
   const int width = panels.size() == 1 ? 900 : 580 * static_cast<int>(panels.size());
-  return draw_png({width, 680}, [&](Gnuplot& gp, const TemporaryFolder& folder) {
+  return draw({width, 680}, format, [&](Drawing& gp) {
     gp << "set multiplot title " << quoted(picture.title) << " font ',14'\n";
     gp << "set logscale xy\nset format xy '1e%T'\nset tics out\nset grid\n"
        << "unset key\n";
@@ -216,7 +211,7 @@ std::string draw_png(const TradeoffPicture& picture) {
           "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"
           "set tmargin at screen 0.88\nset bmargin at screen 0.25\n",
           left + 105.0 / width, left + 1 / count - 28.0 / width);
-      draw(gp, panels[i], folder);
+      draw_panel(gp, panels[i]);
       gp << "unset ylabel\n";
     }
     draw_key(gp, panels);

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "apps/picture_format.h"
 #include "evaluation/tradeoff/tradeoff.h"
 
 namespace apps {
@@ -16,7 +17,7 @@ struct TradeoffPicture {
 };
 
 /// One panel for each surface model, on logarithmic axes: seconds to plan and evaluate the request,
-/// worst error of the amplitude. The bytes of a PNG.
-std::string draw_png(const TradeoffPicture& picture);
+/// worst error of the amplitude. The bytes of a file.
+std::string draw(const TradeoffPicture& picture, PictureFormat format);
 
 }  // namespace apps

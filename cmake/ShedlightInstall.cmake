@@ -18,4 +18,5 @@ write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/shedlightConfigVers
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/shedlightConfig.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/shedlightConfigVersion.cmake
               cmake/FindFFTW3.cmake
+              cmake/FindLibZip.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/shedlight)

@@ -91,7 +91,7 @@ DirectionalAlbedo AlbedoQuadrature::integrate(const brdf::Direction& omega_i,
                                               const RunLimits& limits) const {
   std::vector<RingSums> sums(rings_.size());
   parallel_for(rings_.size(), limits.threads, [&](std::size_t i) {
-    if (limits.time && limits.time->passed()) limits.time->refuse();
+    limits.check_time();
     const Ring& ring = rings_[i];
     std::vector<brdf::Direction> views;
     std::vector<brdf::Query> queries;

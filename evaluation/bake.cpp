@@ -59,27 +59,35 @@ std::vector<float> bake(const brdf::VolumeGrid& grid, const ScatteringColours& c
   std::vector<float> numbers(grid.size());
   std::size_t done = 0;
   std::mutex progress_mutex;
-  parallel_for(batches.size(), limits.threads, [&](std::size_t i) {
-    if (limits.time && limits.time->passed()) limits.time->refuse();
-    const auto [ring, first, points] = batches[i];
+  const auto compute = [&](const Batch& batch, std::span<float> chunk) {
     std::vector<Eigen::Vector3d> scattering;
-    for (std::size_t point = 0; point < points; ++point) {
-      const double phi = 2 * brdf::pi * static_cast<double>(first + point) / grid.angles(ring);
+    for (std::size_t point = 0; point < batch.points; ++point) {
+      const double phi =
+          2 * brdf::pi * static_cast<double>(batch.first + point) / grid.angles(batch.ring);
+      const double radius = grid.radius(batch.ring);
       for (int j = 0; j < terms; ++j)
-        scattering.emplace_back(grid.radius(ring) * std::cos(phi),
-                                grid.radius(ring) * std::sin(phi),
+        scattering.emplace_back(radius * std::cos(phi), radius * std::sin(phi),
                                 std::cos(brdf::pi * (j + 0.5) / terms) - 1);
     }
     std::vector<brdf::Xyz> values(scattering.size());
     colours.evaluate(scattering, values);
-    float* to = &numbers[(grid.first(ring) + first) * count * 3];
-    for (std::size_t point = 0; point < points; ++point)
+    float* to = chunk.data();
+    for (std::size_t point = 0; point < batch.points; ++point)
       for (std::size_t n = 0; n < count; ++n) {
         brdf::Xyz sum;
         for (std::size_t j = 0; j < count; ++j)
           sum = sum + cosines[n * count + j] * values[point * count + j];
         for (const double value : {sum.x, sum.y, sum.z}) *to++ = static_cast<float>(value);
       }
+  };
+  if (limits.chunks != nullptr)
+    limits.chunks->open(batches.size(), batch_points * count * 3 * sizeof(float));
+  parallel_for(batches.size(), limits.threads, [&](std::size_t i) {
+    limits.check_time();
+    const Batch& batch = batches[i];
+    const std::span chunk(&numbers[(grid.first(batch.ring) + batch.first) * count * 3],
+                          batch.points * count * 3);
+    once(limits.chunks, i, chunk, [&] { compute(batch, chunk); });
     if (progress) {
       const std::scoped_lock lock(progress_mutex);
       progress(static_cast<double>(++done) / static_cast<double>(batches.size()));

@@ -30,14 +30,17 @@ std::vector<brdf::Xyz> colours_of(std::span<const DirectionPair> pairs,
   const std::size_t batches = (pairs.size() + batch_pairs - 1) / batch_pairs;
   std::size_t done = 0;
   std::mutex progress_mutex;
+  if (limits.chunks != nullptr) limits.chunks->open(batches, batch_pairs * sizeof(brdf::Xyz));
   parallel_for(batches, limits.threads, [&](std::size_t batch) {
-    if (limits.time && limits.time->passed()) limits.time->refuse();
+    limits.check_time();
     const std::size_t first = batch * batch_pairs,
                       count = std::min(batch_pairs, pairs.size() - first);
     const auto some = pairs.subspan(first, count);
     const auto result = std::span(colours).subspan(first, count);
-    surface.evaluate(some, result);
-    for (std::size_t j = 0; j < count; ++j) require_finite(result[j], some[j]);
+    once(limits.chunks, batch, result, [&] {
+      surface.evaluate(some, result);
+      for (std::size_t j = 0; j < count; ++j) require_finite(result[j], some[j]);
+    });
     if (progress) {
       const std::scoped_lock lock(progress_mutex);
       progress(static_cast<double>(++done) / static_cast<double>(batches));

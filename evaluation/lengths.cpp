@@ -11,8 +11,8 @@ struct Unit {
 };
 
 constexpr Unit units[] = {{"pm", -12}, {"nm", -9}, {"um", -6}, {"mm", -3}, {"cm", -2}, {"m", 0}};
-// The micro sign and the Greek letter mu, in UTF-8.
-constexpr Unit aliases[] = {{"\xC2\xB5m", -6}, {"\xCE\xBCm", -6}};
+// The micro sign and the Greek letter mu in UTF-8, the sign in Latin-1.
+constexpr Unit aliases[] = {{"\xC2\xB5m", -6}, {"\xCE\xBCm", -6}, {"\xB5m", -6}};
 
 }  // namespace
 

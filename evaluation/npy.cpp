@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <optional>
 
 #include "brdf/error.h"
+#include "evaluation/npy_header.h"
 #include "evaluation/sha256.h"
 
 namespace evaluation {
@@ -37,51 +35,29 @@ const TypeRow& row_of(NpyType type) {
                        [type](const TypeRow& row) { return row.type == type; });
 }
 
-/// The value of a key of the header's Python dictionary, up to the comma or brace behind it.
-std::optional<std::string_view> value_of(std::string_view header, std::string_view key) {
-  const std::size_t at = header.find(std::string("'").append(key).append("'"));
-  if (at == std::string_view::npos) return std::nullopt;
-  std::size_t first = header.find(':', at);
-  if (first == std::string_view::npos) return std::nullopt;
-  first = header.find_first_not_of(' ', first + 1);
-  if (first == std::string_view::npos) return std::nullopt;
-  const char closing = header[first] == '(' ? ')' : ',';
-  const std::size_t last = header.find_first_of(closing == ')' ? ")" : ",}", first);
-  if (last == std::string_view::npos) return std::nullopt;
-  return header.substr(first, last - first + (closing == ')' ? 1 : 0));
-}
-
-/// The extents of "(30, 650, 326)"; empty for anything else, or where their product overflows.
-std::optional<std::vector<std::size_t>> extents_of(std::string_view text) {
-  if (!text.starts_with('(') || !text.ends_with(')')) return std::nullopt;
-  std::vector<std::size_t> extents;
-  const char *at = text.data() + 1, *end = text.data() + text.size() - 1;
-  while (at != end) {
-    std::size_t extent = 0;
-    const auto [after, ec] = std::from_chars(at, end, extent);
-    if (ec != std::errc{}) return std::nullopt;
-    extents.push_back(extent);
-    at = std::find_if(after, end, [](char c) { return c != ',' && c != ' '; });
-  }
-  return extents;
-}
-
-std::optional<std::size_t> product(const std::vector<std::size_t>& extents, std::size_t each) {
-  std::size_t all = each;
-  for (const std::size_t extent : extents) {
-    if (extent != 0 && all > std::numeric_limits<std::size_t>::max() / extent) return std::nullopt;
-    all *= extent;
-  }
-  return all;
+/// Up to `most` bytes; fewer where the file is shorter or cannot be read.
+std::string beginning_of(const fs::path& path, std::size_t most) {
+  std::string bytes(most, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(bytes.data(), static_cast<std::streamsize>(most));
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  return bytes;
 }
 
 }  // namespace
 
 bool is_npy(const fs::path& path) {
-  constexpr std::size_t named = 6;  // without the version
-  char head[named] = {};
-  std::ifstream(path, std::ios::binary).read(head, named);
-  return std::string_view(head, named) == magic.substr(0, named);
+  return begins_as_npy(beginning_of(path, prefix_size));
+}
+
+bool is_baked(const fs::path& path) {
+  const std::string head = beginning_of(path, 2 * max_npy_header);
+  if (!begins_as_npy(head)) return false;
+  try {
+    return read_npy_header(head, path.string()).extents.size() != 2;
+  } catch (const brdf::Error&) {
+    return true;  // to be refused as what it begins like
+  }
 }
 
 std::string npy_header(const NpyShape& shape) {
@@ -118,34 +94,19 @@ NpyReader::NpyReader(const fs::path& path) : path_(path) {
   const std::uintmax_t size = fs::file_size(path, ec);
   if (ec) refuse("cannot be read: " + ec.message());
   file_.open(path, std::ios::binary);
-  std::string prefix(prefix_size, '\0');
-  if (!file_.read(prefix.data(), static_cast<std::streamsize>(prefix_size)) ||
-      !prefix.starts_with(magic))
-    refuse("is not NPY, format version 1.0");
-  const std::size_t header_size = static_cast<unsigned char>(prefix[magic.size()]) +
-                                  256u * static_cast<unsigned char>(prefix[magic.size() + 1]);
-  std::string header(header_size, '\0');
-  if (!file_.read(header.data(), static_cast<std::streamsize>(header_size)))
-    refuse("NPY header is cut off");
-  head_ = prefix + header;
-
-  const auto descr = value_of(header, "descr");
-  const auto known = std::find_if(std::begin(types), std::end(types), [&](const TypeRow& row) {
-    return descr && descr->size() == row.name.size() + 2 &&
-           descr->substr(1, row.name.size()) == row.name;
-  });
+  head_ = beginning_of(path, 2 * max_npy_header);
+  const NpyHeader header = read_npy_header(head_, path.string());
+  head_.resize(header.size);
+  const auto known = std::find_if(std::begin(types), std::end(types),
+                                  [&](const TypeRow& row) { return header.type == row.name; });
   if (known == std::end(types))
-    refuse("NPY type " + std::string(descr.value_or("missing")) +
-           ", must be '<f4', '<f8' or '<c16'");
+    refuse("NPY type '" + header.type.substr(0, 40) + "', must be '<f4', '<f8' or '<c16'");
   shape_.type = known->type;
-  if (value_of(header, "fortran_order") != "False") refuse("NPY must be in C order");
-  const auto extents = extents_of(value_of(header, "shape").value_or(""));
-  if (!extents) refuse("NPY shape is not a tuple of whole numbers");
-  shape_.extents = *extents;
-  const auto bytes = product(*extents, known->numbers * known->number_bytes);
+  if (header.is_fortran_order) refuse("NPY must be in C order");
+  shape_.extents = header.extents;
+  const auto bytes = header.number_bytes(known->numbers * known->number_bytes);
   if (!bytes || size - head_.size() != *bytes)
-    refuse("NPY shape " + std::string(*value_of(header, "shape")) + " does not match its " +
-           std::to_string(size) + " bytes");
+    refuse("NPY shape " + header.shape + " does not match its " + std::to_string(size) + " bytes");
   number_bytes_ = known->number_bytes;
   size_ = *bytes / number_bytes_;
 }

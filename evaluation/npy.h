@@ -27,6 +27,10 @@ struct NpyShape {
 /// Whether a file begins as NPY does; no for one that cannot be read.
 bool is_npy(const std::filesystem::path& path);
 
+/// Whether a file is NPY of any shape but two axes, which are heights: tables, maps, or a volume of
+/// colours, of which only the sidecar tells what it is.
+bool is_baked(const std::filesystem::path& path);
+
 /// What stands before the numbers (format version 1.0), a multiple of 64 bytes.
 std::string npy_header(const NpyShape& shape);
 
@@ -40,7 +44,8 @@ std::string_view npy_bytes(std::span<const std::complex<double>> numbers);
 class NpyReader {
  public:
   /// Reads the header and holds its shape against the size of the file. Throws Errc::bad_input
-  /// naming the file: missing, not NPY 1.0, another type or order, a shape that does not match.
+  /// naming the file: missing, not NPY 1.0 to 3.0, another type or order, a shape that does not
+  /// match.
   explicit NpyReader(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }

@@ -87,7 +87,7 @@ void PowerSpectraWriter::write(const HalfSpectrum& spectrum) {
   }
 }
 
-Json PowerSpectraWriter::commit(Json sidecar) {
+Json PowerSpectraWriter::commit(Json sidecar, std::vector<OutputFile*> beside) {
   sidecar["parameters"] = parameters_;
   if (normalisation_ == TableNormalisation::extrema) {
     sidecar["error"] = {{"rescaled_value", value_error(extrema_, pixels_)},
@@ -95,7 +95,7 @@ Json PowerSpectraWriter::commit(Json sidecar) {
     for (const SpectrumExtrema& extrema : extrema_)
       sidecar["extrema"].push_back(extrema_json(extrema));
   }
-  return output_->commit(std::move(sidecar));
+  return output_->commit(std::move(sidecar), std::move(beside));
 }
 
 std::size_t PowerSpectraWriter::file_bytes(const PowerSpectraShape& shape) {

@@ -27,8 +27,8 @@ class PowerSpectraWriter {
   /// Of the powers written so far.
   std::span<const brdf::SpectrumExtrema> extrema() const { return extrema_; }
   /// Puts tables and sidecar in place; `parameters`, and with the extrema's normalisation `extrema`
-  /// and `error`, are added to the sidecar.
-  Json commit(Json sidecar);
+  /// and `error`, are added to the sidecar. beside: finished files that belong to them.
+  Json commit(Json sidecar, std::vector<OutputFile*> beside = {});
 
   /// Bytes of the file.
   static std::size_t file_bytes(const brdf::PowerSpectraShape& shape);

@@ -23,10 +23,10 @@ void require_finite(double value, double lambda_nm, double theta_r_deg) {
 
 }  // namespace
 
-void TimeLimit::refuse(const std::string& where) const {
+void TimeLimit::refuse(const std::string& where, const std::string& left) const {
   throw brdf::Error(brdf::Errc::over_limit, "the time limit of " + number_text(length.count()) +
-                                                " s (--time-limit) was reached" + where +
-                                                "; nothing was written");
+                                                " s (--time-limit) was reached" + where + "; " +
+                                                left);
 }
 
 ResponseMatrix sweep(const SweepRequest& request, const Reflectance& reflectance,
@@ -40,11 +40,10 @@ ResponseMatrix sweep(const SweepRequest& request, const Reflectance& reflectance
                                                   static_cast<Eigen::Index>(directions.size()))};
   std::size_t rows_done = 0;
   std::mutex progress_mutex;
-  parallel_for(rows, limits.threads, [&](std::size_t row) {
+  const auto compute_row = [&](std::size_t row) {
     std::span<const std::size_t> columns = cells.columns_of_row(row);
     while (!columns.empty()) {
-      if (limits.time && limits.time->passed())
-        limits.time->refuse(" at wavelength " + number_text(request.lambda_nm[row]) + " nm");
+      limits.check_time(" at wavelength " + number_text(request.lambda_nm[row]) + " nm");
       const auto batch = columns.first(std::min(batch_cells, columns.size()));
       std::vector<Sample> samples;
       for (const std::size_t column : batch)
@@ -58,6 +57,11 @@ ResponseMatrix sweep(const SweepRequest& request, const Reflectance& reflectance
       }
       columns = columns.subspan(batch.size());
     }
+  };
+  if (limits.chunks != nullptr) limits.chunks->open(rows, directions.size() * sizeof(double));
+  parallel_for(rows, limits.threads, [&](std::size_t row) {
+    const std::span values(response.values.data() + row * directions.size(), directions.size());
+    once(limits.chunks, row, values, [&] { compute_row(row); });
     if (progress) {
       const std::scoped_lock lock(progress_mutex);
       progress(static_cast<double>(++rows_done) / static_cast<double>(rows));

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "evaluation/cell_selection.h"
+#include "evaluation/chunk_store.h"
 #include "evaluation/reflectance.h"
 #include "evaluation/response_matrix.h"
 #include "evaluation/sweep_request.h"
@@ -20,13 +21,21 @@ struct TimeLimit {
 
   bool passed() const { return std::chrono::steady_clock::now() - start > length; }
   /// Throws Errc::over_limit. where: " at ...", or nothing.
-  [[noreturn]] void refuse(const std::string& where = {}) const;
+  [[noreturn]] void refuse(const std::string& where = {},
+                           const std::string& left = "nothing was written") const;
 };
 
 /// What a run may use.
 struct RunLimits {
   int threads = 1;
   std::optional<TimeLimit> time = {};
+  ChunkStore* chunks = nullptr;  ///< keeps what is done, where there is one
+
+  /// Throws Errc::over_limit past the time limit. where: " at ...", or nothing.
+  void check_time(const std::string& where = {}) const {
+    if (!time || !time->passed()) return;
+    time->refuse(where, chunks != nullptr ? chunks->kept() : "nothing was written");
+  }
 };
 
 /// Called now and then with the part done, 0 to 1, never from two threads at once.

@@ -153,7 +153,7 @@ void run(AdviseOptions options) {
   all["scene"].update(illuminated_json(scene.surface));
   all.update(json(sections));
   all["command"] = joined(command);
-  print(all.dump(2) + "\n");
+  print(evaluation::json_text(all));
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ using evaluation::Json;
 
 struct BakeOptions {
   SurfaceColourOptions surface;
+  CheckpointOptions checkpoint;
   std::string output;
 };
 
@@ -51,9 +52,16 @@ void run(const BakeOptions& options) {
   evaluation::require_room(options.output, header.size() + grid.size() * sizeof(float));
   options.surface.prepare(*patch, evaluation::volume_corners(grid),
                           grid.points() * static_cast<std::size_t>(grid.shape().terms));
+  Json sidecar = sidecar_head("bake", options.surface.file(), patch->input.sha256);
+  sidecar["parameters"] = patch->parameters;
+  sidecar["parameters"]["quantity"] = name_in(quantity_choices, options.surface.quantity());
+  sidecar["volume"] = evaluation::volume_json(grid.shape());
+  const auto checkpoint = options.checkpoint.open(sidecar);
+  evaluation::RunLimits limits = options.surface.run().limits();
+  limits.chunks = checkpoint.get();
   const auto began = std::chrono::steady_clock::now();
   const std::vector<float> numbers = brdf::at_place(options.surface.file(), [&] {
-    return bake(grid, *patch->colours, options.surface.run().limits(), progress_line("bake"));
+    return bake(grid, *patch->colours, limits, progress_line("bake"));
   });
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
 
@@ -61,18 +69,15 @@ void run(const BakeOptions& options) {
   const std::vector<Eigen::Vector3d> scattering = evaluation::spread_scattering(audited_directions);
   const evaluation::VolumeError error =
       volume_error(scattering, *patch->colours, brdf::ColourVolume(grid, numbers), mirror / 4);
-  Json sidecar = sidecar_head("bake", options.surface.file(), patch->input.sha256);
-  sidecar["parameters"] = patch->parameters;
-  sidecar["parameters"]["quantity"] = name_in(quantity_choices, options.surface.quantity());
   sidecar["parameters"]["coherence_area_um2"] = coherence_area_um2(patch->surface);
   sidecar["parameters"]["mirror_radius_sine"] = mirror;
-  sidecar["volume"] = evaluation::volume_json(grid.shape());
   sidecar["error"] = options.surface.audited(*patch, scattering);
   sidecar["error"]["volume"] = {{"directions", scattering.size()},
                                 {"rms_of_local_brightness", error.rms},
                                 {"worst_of_local_brightness", error.worst}};
   output.write(header);
   output.commit(evaluation::npy_bytes(numbers), std::move(sidecar));
+  remove(checkpoint);
   message(fmt::format(
       "{} points x {} terms, {:.3g} MB, {:.3g} s; against spectra at {} "
       "directions: {:.2g} rms, {:.2g} at worst, of the local brightness",
@@ -92,6 +97,7 @@ void add_bake(CLI::App& app) {
       "  shedlight bake scan.png --width 65um --height-range 818.69nm -o skin.npy\n"
       "  shedlight map skin.npy --theta-i 30deg --phi-i 90deg -o map.png");
   options->surface.add_to(bake);
+  options->checkpoint.add_to(bake);
   add_output(bake, options->output, "NPY file, with its sidecar FILE.json")->required();
   bake->callback([options] { run(*options); });
 }

@@ -7,6 +7,7 @@ namespace apps {
 
 void add_synth(CLI::App& app);
 void add_info(CLI::App& app);
+void add_convert(CLI::App& app);
 void add_advise(CLI::App& app);
 void add_precompute(CLI::App& app);
 void add_sweep(CLI::App& app);

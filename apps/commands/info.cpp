@@ -26,6 +26,12 @@ evaluation::Json describe(const InfoOptions& options) {
   info["file"] = options.heights.file;
   info["format"] = input.format;
   info["sha256"] = input.sha256;
+  info["channel"] = input.channel;
+  info["channels"] = evaluation::Json::array();
+  for (const evaluation::HeightChannel& channel : input.channels)
+    info["channels"].push_back({{"title", channel.title}, {"unit", channel.unit}});
+  info["unit_um"] = input.unit.um();
+  info["missing_filled"] = input.filled;
   info["columns"] = field.cols();
   info["rows"] = field.rows();
   info["pixel_um"] = {field.dx_um(), field.dy_um()};
@@ -41,6 +47,17 @@ evaluation::Json describe(const InfoOptions& options) {
   return info;
 }
 
+/// The title of what was read, and all channels where there are several.
+std::string channel_line(const evaluation::Json& info) {
+  std::vector<evaluation::HeightChannel> channels;
+  for (const evaluation::Json& channel : info["channels"])
+    channels.push_back({channel["title"].get<std::string>(), channel["unit"].get<std::string>()});
+  const std::string title = info["channel"].get<std::string>();
+  if (title.empty() && channels.size() < 2) return {};
+  return fmt::format("channel   {}{}\n", title.empty() ? "without a title" : title,
+                     channels.size() < 2 ? "" : " of " + evaluation::listed(channels));
+}
+
 std::string for_people(const evaluation::Json& info) {
   const auto number = [&](const char* key) { return info[key].get<double>(); };
   const auto pair = [&](const char* key, const char* separator, int digits) {
@@ -50,6 +67,8 @@ std::string for_people(const evaluation::Json& info) {
   return fmt::format(
       "file      {}\n"
       "format    {}\n"
+      "{}"
+      "unit      a stored 1 is {:.6g} nm; {} missing pixels filled\n"
       "pixels    {} x {} (columns x rows)\n"
       "pixel     {} um (x, y)\n"
       "size      {} um\n"
@@ -58,7 +77,8 @@ std::string for_people(const evaluation::Json& info) {
       "tilt      {} deg (x, y) of the least-squares plane\n"
       "sampling  all directions from {:.4g} nm on (pixel < lambda / 4); less far from the normal "
       "reach shorter\n",
-      info["file"].get<std::string>(), info["format"].get<std::string>(),
+      info["file"].get<std::string>(), info["format"].get<std::string>(), channel_line(info),
+      brdf::Length::um(number("unit_um")).nm(), info["missing_filled"].get<std::size_t>(),
       info["columns"].get<long>(), info["rows"].get<long>(), pair("pixel_um", ", ", 8),
       pair("size_um", " x ", 8), number("height_min_um"), number("height_max_um"),
       number("height_max_um") - number("height_min_um"), number("height_rms_um"),
@@ -76,7 +96,7 @@ void add_info(CLI::App& app) {
   info->add_flag("--json", options->json, "as JSON");
   info->callback([options] {
     const evaluation::Json description = describe(*options);
-    print(options->json ? description.dump(2) + "\n" : for_people(description));
+    print(options->json ? evaluation::json_text(description) : for_people(description));
   });
 }
 

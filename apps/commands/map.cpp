@@ -33,6 +33,7 @@ constexpr int most_lights = 12;
 
 struct MapOptions {
   SurfaceColourOptions surface;
+  CheckpointOptions checkpoint;
   std::vector<Angle> theta_i;
   Angle phi_i;
   int size = 512;
@@ -54,6 +55,15 @@ std::vector<DirectionPair> pairs_of(const MapOptions& options,
       pairs.push_back({omega_i, *hemisphere.direction(pixel.column, pixel.row)});
   }
   return pairs;
+}
+
+/// What the pairs come from, for the sidecar.
+Json pairs_json(const MapOptions& options) {
+  Json json;
+  for (const Angle theta_i : options.theta_i) json["theta_i_deg"].push_back(theta_i.deg());
+  json["phi_i_deg"] = options.phi_i.deg();
+  json["size"] = options.size;
+  return json;
 }
 
 /// Whether the mirror lobe covers a pair.
@@ -105,15 +115,15 @@ void run(const MapOptions& options) {
   const std::filesystem::path npy = std::filesystem::path(options.output).replace_extension(".npy");
   if (npy == std::filesystem::path(options.output))
     throw brdf::Error(brdf::Errc::invalid_argument, "output " + options.output +
-                                                        ": a picture is a PNG; its XYZ go into " +
+                                                        ": is no picture; its XYZ go into " +
                                                         npy.string() + " beside it");
   require_other_file(npy.string(), options.surface.file());
-  evaluation::OutputWithSidecar output(options.output);
+  PictureOutput output(options.output);
   evaluation::OutputFile linear(npy);
 
   const evaluation::Hemisphere hemisphere(options.size);
   const std::vector<DirectionPair> pairs = pairs_of(options, hemisphere);
-  SurfaceColours colours = options.surface.colours(pairs);
+  SurfaceColours colours = options.surface.colours(pairs, options.checkpoint, pairs_json(options));
 
   const bool apart = options.mirror == MirrorLobe::apart && colours.mirror_radius > 0;
   std::vector<brdf::Xyz> shown_xyz = colours.xyz, metered;
@@ -145,7 +155,7 @@ void run(const MapOptions& options) {
     picture.panels.back().caption =
         fmt::format("exposure {:.4g}{}", exposure, apart ? "; mirror lobe left out" : "");
   }
-  const std::string png = draw_png(picture);
+  const std::string drawn = draw(picture, output.format);
 
   const std::vector<double> xyz = linear_xyz(options, hemisphere, colours.xyz);
   const auto side = static_cast<std::size_t>(options.size);
@@ -159,9 +169,7 @@ void run(const MapOptions& options) {
 
   Json sidecar = sidecar_head("map", options.surface.file(), colours.input_sha256);
   Json& parameters = sidecar["parameters"] = colours.parameters;
-  for (const Angle theta_i : options.theta_i) parameters["theta_i_deg"].push_back(theta_i.deg());
-  parameters["phi_i_deg"] = options.phi_i.deg();
-  parameters["size"] = options.size;
+  parameters.update(pairs_json(options));
   parameters["projection"] = "orthographic: (sin theta_r cos phi_r, sin theta_r sin phi_r)";
   parameters["exposure"] = exposure;
   parameters["exposure_by"] = options.exposure.description();
@@ -172,8 +180,8 @@ void run(const MapOptions& options) {
   parameters["clipped"] = shown.clipped;
   sidecar["error"] = colours.error;
   sidecar["linear_xyz"] = {{"file", npy.filename().string()}, {"sha256", hash.hex()}};
-  linear.commit();
-  output.commit(png, std::move(sidecar));
+  output.commit(drawn, std::move(sidecar), {&linear});
+  remove(colours.checkpoint);
   message(colours.summary());
   message(options.exposure.summary(exposure));
   warn_of_clipped(shown.clipped, shown.rgb.size(), "pixels", "srgb", options.surface.file());
@@ -202,6 +210,7 @@ void add_map(CLI::App& app) {
       "\\\n"
       "    --phi-i 90deg --mirror-lobe apart -o map.png");
   options->surface.add_to(map);
+  options->checkpoint.add_to(map);
   add_parsed(map, "--theta-i", options->theta_i, parse_angles,
              "angle of incidence, or several for a sheet", "ANGLE[,ANGLE...]")
       ->required();
@@ -216,7 +225,8 @@ void add_map(CLI::App& app) {
              "draw where the orders of this period are expected", "LENGTH");
   add_parsed(map, "--arcs-azimuth", options->arcs_azimuth, parse_angle,
              "azimuth of its grating vector (default: phi_i)", "ANGLE");
-  add_output(map, options->output, "PNG file, with its sidecar FILE.json and its colours as NPY")
+  add_output(map, options->output,
+             "PNG, SVG or PDF, with its sidecar FILE.json and its colours as NPY")
       ->required();
   map->callback([options] { run(*options); });
 }

@@ -46,7 +46,8 @@ void run_on_scan(PeriodOptions options) {
   for (const std::string& written : {options.picture, options.around})
     if (!written.empty()) require_other_file(written, options.file);
   require_apart(options.picture, options.around);
-  std::optional<evaluation::OutputWithSidecar> picture, around;
+  std::optional<PictureOutput> picture;
+  std::optional<evaluation::OutputWithSidecar> around;
   if (!options.picture.empty()) picture.emplace(options.picture);
   if (!options.around.empty()) around.emplace(options.around);
   options.heights.file = options.file;
@@ -70,15 +71,17 @@ void run_on_scan(PeriodOptions options) {
     if (around) around->commit(to_csv(by_azimuth), sidecar);
     if (picture)
       picture->commit(
-          draw_png(SurfacePeriodsPicture{
-              &*measured, by_azimuth,
-              fmt::format("{}: period {:.2f} nm, 95 % {:.2f} to {:.2f} nm",
-                          std::filesystem::path(options.file).filename().string(),
-                          measured->heights->period_nm, measured->heights->interval_nm.lo,
-                          measured->heights->interval_nm.hi)}),
+          draw(
+              SurfacePeriodsPicture{
+                  &*measured, by_azimuth,
+                  fmt::format("{}: period {:.2f} nm, 95 % {:.2f} to {:.2f} nm",
+                              std::filesystem::path(options.file).filename().string(),
+                              measured->heights->period_nm, measured->heights->interval_nm.lo,
+                              measured->heights->interval_nm.hi)},
+              picture->format),
           sidecar);
   }
-  print(options.json ? sidecar["result"].dump(2) + "\n" : for_people(periods));
+  print(options.json ? evaluation::json_text(sidecar["result"]) : for_people(periods));
 }
 
 void run(const PeriodOptions& options) {
@@ -90,7 +93,7 @@ void run(const PeriodOptions& options) {
   ResponsePeriodOptions response = options.response;
   response.response.file = options.file;
   const Json result = response_period(response);
-  print(options.json ? result.dump(2) + "\n" : response_period_text(result));
+  print(options.json ? evaluation::json_text(result) : response_period_text(result));
 }
 
 }  // namespace
@@ -121,7 +124,7 @@ void add_period(CLI::App& app) {
   options->of_scan = added_by([&] {
     options->heights.add_preparation_to(period);
     add_parsed(period, "--plot", options->picture, parse_path,
-               "PNG: lines, sub-patches, window positions, light, azimuths", "FILE");
+               "PNG, SVG or PDF: lines, sub-patches, window positions, light, azimuths", "FILE");
     add_parsed(period, "--around", options->around, parse_path,
                "CSV: the period that a plane of incidence meets, azimuth by azimuth", "FILE");
     add_parsed(

@@ -48,7 +48,7 @@ std::string draw_map(const ResponseInput& input, const PlotOptions& options) {
       value_label(input.sidecar)};
   picture.fit = fit(input, picture.peaks);
   picture.title = picture_title(input, options.response.file);
-  return draw_png(picture);
+  return draw(picture, picture_format(options.output));
 }
 
 /// The row of the wavelength nearest to the one asked for.
@@ -93,7 +93,7 @@ std::string draw_cut(const ResponseInput& input, const PlotOptions& options) {
                                     label, options.response.file, picture.value_label));
     picture.curves.push_back(curve_of(other.response, wanted_nm, file));
   }
-  return draw_png(picture);
+  return draw(picture, picture_format(options.output));
 }
 
 void require_consistent(const PlotOptions& options) {
@@ -144,7 +144,7 @@ void add_plot(CLI::App& app) {
              "draw the values at this wavelength over the viewing angle", "LENGTH");
   add_choice(plot, "--scale", options->scale, scale_choices,
              "of the values in a cut (default linear)");
-  add_output(plot, options->output, "PNG file")->required();
+  add_output(plot, options->output, "PNG, SVG or PDF, by its extension")->required();
   plot->callback([options] { run(*options); });
 }
 

@@ -88,8 +88,8 @@ void run(const PrecomputeOptions& options) {
       });
   Json sidecar = sidecar_head("precompute", options.heights.file, input.sha256);
   if (pictures) sidecar["pictures"] = pictures->finish(writer.extrema(), title);
-  writer.commit(std::move(sidecar));
-  if (pictures) pictures->commit();
+  writer.commit(std::move(sidecar),
+                pictures ? pictures->outputs() : std::vector<evaluation::OutputFile*>{});
 }
 
 }  // namespace

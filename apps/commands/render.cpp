@@ -197,7 +197,7 @@ Json probed(const Options& options, const Scene& scene) {
 void run(const Options& options) {
   options.render.require_consistent();
   if (options.render.probe) {
-    print(probed(options, options.render.read()).dump(2) + "\n");
+    print(evaluation::json_text(probed(options, options.render.read())));
     return;
   }
   require_other_file(options.render.output, options.surface.file());

@@ -109,7 +109,8 @@ std::string for_people(const evaluation::Ridges& found) {
 }
 
 void run(const RidgesOptions& options) {
-  std::optional<evaluation::OutputWithSidecar> output, picture;
+  std::optional<evaluation::OutputWithSidecar> output;
+  std::optional<PictureOutput> picture;
   for (const std::string& written : {options.output, options.picture})
     if (!written.empty()) require_other_file(written, options.response.file);
   require_apart(options.output, options.picture);
@@ -128,11 +129,12 @@ void run(const RidgesOptions& options) {
   sidecar["parameters"] = parameters(search, input);
   if (output) output->commit(to_csv(found.ridges), sidecar);
   if (picture)
-    picture->commit(draw_png(RidgesPicture{&input.response, input.plane, &found,
-                                           picture_title(input, options.response.file),
-                                           value_label(input.sidecar)}),
-                    sidecar);
-  print(options.json ? json_of(found).dump(2) + "\n" : for_people(found));
+    picture->commit(
+        draw(RidgesPicture{&input.response, input.plane, &found,
+                           picture_title(input, options.response.file), value_label(input.sidecar)},
+             picture->format),
+        sidecar);
+  print(options.json ? evaluation::json_text(json_of(found)) : for_people(found));
 }
 
 }  // namespace
@@ -157,7 +159,8 @@ void add_ridges(CLI::App& app) {
              "times the background that a ridge must stand (default 10)", "NUMBER");
   add_output(ridges, options->output, "CSV file with all that is known of each ridge");
   add_parsed(ridges, "--plot", options->picture, parse_path,
-             "PNG: heat map with the ridges, and the mean over the wavelengths", "FILE");
+             "PNG, SVG or PDF: heat map with the ridges, and the mean over the wavelengths",
+             "FILE");
   ridges->add_flag("--json", options->json, "as JSON");
   ridges->callback([options] { run(*options); });
 }

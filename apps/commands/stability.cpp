@@ -22,17 +22,18 @@ struct StabilityOptions {
 
 void run(const StabilityOptions& options) {
   require_apart(options.output, options.picture);
-  std::optional<evaluation::OutputWithSidecar> output, picture;
+  std::optional<evaluation::OutputWithSidecar> output;
+  std::optional<PictureOutput> picture;
   if (!options.output.empty()) output.emplace(options.output);
   if (!options.picture.empty()) picture.emplace(options.picture);
   const std::vector<evaluation::CheckRow> rows = evaluation::stability_rows();
   const evaluation::Json sidecar = sidecar_head("stability", "", "");
   if (output) output->commit(table_csv(rows), sidecar);
   if (picture)
-    picture->commit(
-        draw_png(ChecksPicture{rows, "Largest errors at the extremes, against 50 digits"}),
-        sidecar);
-  print(options.json ? table_json(rows).dump(2) + "\n" : table_for_people(rows));
+    picture->commit(draw(ChecksPicture{rows, "Largest errors at the extremes, against 50 digits"},
+                         picture->format),
+                    sidecar);
+  print(options.json ? evaluation::json_text(table_json(rows)) : table_for_people(rows));
   if (!all_hold(rows)) throw ValidationFailed{};
 }
 
@@ -45,7 +46,7 @@ void add_stability(CLI::App& app) {
   stability->footer("Example:\n  shedlight stability -o stability.csv --plot stability.png");
   add_output(stability, options->output, "CSV of all columns, with the reason of each limit");
   add_parsed(stability, "--plot", options->picture, parse_path,
-             "PNG: each row's error against its limit", "FILE");
+             "PNG, SVG or PDF: each row's error against its limit", "FILE");
   stability->add_flag("--json", options->json, "the table as JSON");
   stability->callback([options] { run(*options); });
 }

@@ -8,6 +8,7 @@
 #include "apps/memory_limit.h"
 #include "evaluation/audit.h"
 #include "evaluation/diffraction.h"
+#include "evaluation/writers/npy_writer.h"
 
 namespace apps {
 namespace {
@@ -106,21 +107,23 @@ Json audited(const evaluation::SweepRequest& request, const evaluation::CellSele
           {"worst_theta_r_deg", found.theta_r_deg}};
 }
 
-/// A response and what the sidecar says of it.
+/// A response and its sidecar.
 struct Computed {
   evaluation::ResponseMatrix response;
-  Json parameters, error;
+  Json sidecar;
+  std::shared_ptr<evaluation::Checkpoint> checkpoint;
 };
 
-/// The sweep itself, with what goes wrong in it said of the file.
-evaluation::ResponseMatrix swept(const SweepOptions& options,
-                                 const evaluation::SweepRequest& request,
-                                 const evaluation::Reflectance& reflectance,
-                                 const evaluation::CellSelection& cells,
-                                 const evaluation::RunLimits& limits) {
-  return brdf::at_place(options.heights.file, [&] {
+/// The sweep itself, with what goes wrong in it said of the file. sidecar: with all parameters.
+Computed swept(const SweepOptions& options, const evaluation::SweepRequest& request,
+               const evaluation::Reflectance& reflectance, const evaluation::CellSelection& cells,
+               evaluation::RunLimits limits, Json sidecar) {
+  const auto checkpoint = options.checkpoint.open(sidecar);
+  limits.chunks = checkpoint.get();
+  auto response = brdf::at_place(options.heights.file, [&] {
     return sweep(request, reflectance, cells, limits, progress_line("sweep"));
   });
+  return {std::move(response), std::move(sidecar), checkpoint};
 }
 
 /// The matrix, its CSV at about 24 bytes a number, and where each selected cell lies.
@@ -130,7 +133,8 @@ std::size_t response_bytes(const SweepOptions& options, const evaluation::SweepR
 }
 
 Computed diffraction(const SweepOptions& options, const evaluation::SweepRequest& request,
-                     const brdf::Surface& surface, const evaluation::RunLimits& limits) {
+                     const brdf::Surface& surface, const evaluation::RunLimits& limits,
+                     Json sidecar) {
   const evaluation::Method& method = evaluation::method_named(*options.method);
   const brdf::HeightField& field = *surface.heights;
   const brdf::QueryBounds bounds = bounds_of(request, tolerance(options));
@@ -146,29 +150,32 @@ Computed diffraction(const SweepOptions& options, const evaluation::SweepRequest
   const evaluation::CellSelection cells = options.selection.cells(request, surface);
   const evaluation::Diffraction reflectance(*amplitude, options.optics.optics(surface),
                                             request.depth);
-  Computed computed{swept(options, request, reflectance, cells, limits),
-                    diffraction_json(options, surface, report),
-                    {}};
+  Json& parameters = sidecar["parameters"];
+  parameters.update(diffraction_json(options, surface, report));
   if (options.selection.orders_only)
-    computed.parameters["orders_only"] = options.selection.parameters(request, surface, cells);
-  computed.error = {{"amplitude_bound", report.error_bound},
-                    {"audit", audited(request, cells, surface, *amplitude, limits, options)},
-                    {"input_phase_error_rad", report.input_phase_error_rad},
-                    {"terms", report.terms},
-                    {"relative_to", "the peak of a flat patch"}};
+    parameters["orders_only"] = options.selection.parameters(request, surface, cells);
+  Computed computed = swept(options, request, reflectance, cells, limits, std::move(sidecar));
+  computed.sidecar["error"] = {
+      {"amplitude_bound", report.error_bound},
+      {"audit", audited(request, cells, surface, *amplitude, limits, options)},
+      {"input_phase_error_rad", report.input_phase_error_rad},
+      {"terms", report.terms},
+      {"relative_to", "the peak of a flat patch"}};
   return computed;
 }
 
 Computed geometric_optics(const SweepOptions& options, const evaluation::SweepRequest& request,
-                          const brdf::HeightField& field, const evaluation::RunLimits& limits) {
+                          const brdf::HeightField& field, const evaluation::RunLimits& limits,
+                          Json sidecar) {
   require_memory(response_bytes(options, request), options);
   const auto model = options.geometric.model(*options.method, options.optics, field);
   const evaluation::GeometricOptics reflectance(model, *options.optics.quantity);
-  Json parameters = model_json(model);
-  parameters["quantity"] = name_in(quantity_choices, *options.optics.quantity);
-  return {swept(options, request, reflectance, evaluation::CellSelection::all(request), limits),
-          std::move(parameters),
-          {{"of_the_model", "rounding alone"}, {"diffraction", "not modelled"}}};
+  sidecar["parameters"].update(model_json(model));
+  sidecar["parameters"]["quantity"] = name_in(quantity_choices, *options.optics.quantity);
+  Computed computed = swept(options, request, reflectance, evaluation::CellSelection::all(request),
+                            limits, std::move(sidecar));
+  computed.sidecar["error"] = {{"of_the_model", "rounding alone"}, {"diffraction", "not modelled"}};
+  return computed;
 }
 
 void explain(const SweepOptions& options, const evaluation::SweepRequest& request,
@@ -176,7 +183,7 @@ void explain(const SweepOptions& options, const evaluation::SweepRequest& reques
   const brdf::QueryBounds bounds = bounds_of(request, tolerance(options));
   const Json plan =
       evaluation::method_named(*options.method).explain(surface, bounds, options.settings);
-  print(options.json ? plan.dump(2) + "\n" : for_people(plan));
+  print(options.json ? evaluation::json_text(plan) : for_people(plan));
 }
 
 void run(SweepOptions options) {
@@ -184,27 +191,38 @@ void run(SweepOptions options) {
   options.resolve();
   evaluation::SweepRequest request = options.request();
   std::optional<evaluation::OutputWithSidecar> output;
+  std::optional<evaluation::NpyAxes> axes;
   if (!options.output.empty() && !options.explain) {
     require_other_file(options.output, options.heights.file);
     output.emplace(options.output);
+    if (evaluation::has_extension(options.output, ".npy"))
+      axes.emplace(options.output, std::vector<std::string>{"lambda_nm", "theta_r_deg"});
   }
   const evaluation::HeightFile input = options.heights.read();
   options.scene.turn(input.field, options.heights.file);
   request = options.request();
   options.settings.power_spectra = options.tables.read(options.heights, input);
   if (options.explain) return explain(options, request, options.surface(input.field));
-  const Computed computed =
-      options.is_geometric() ? geometric_optics(options, request, input.field, limits)
-                             : diffraction(options, request, options.surface(input.field), limits);
-  const std::string csv = to_csv(computed.response, options.layout);
-  if (!output) return print(csv);
-
-  Json sidecar = sidecar_head("sweep", options.heights.file, input.sha256);
-  sidecar["parameters"] = common_json(options, request, input.field);
-  sidecar["parameters"].update(computed.parameters);
-  sidecar["error"] = computed.error;
-  sidecar = output->commit(csv, std::move(sidecar));
-  if (options.json) print(sidecar.dump(2) + "\n");
+  Json head = sidecar_head("sweep", options.heights.file, input.sha256);
+  head["parameters"] = common_json(options, request, input.field);
+  Computed computed =
+      options.is_geometric()
+          ? geometric_optics(options, request, input.field, limits, std::move(head))
+          : diffraction(options, request, options.surface(input.field), limits, std::move(head));
+  const evaluation::ResponseMatrix& response = computed.response;
+  const std::string bytes =
+      axes ? evaluation::to_npy(response.values) : to_csv(response, options.layout);
+  if (axes)
+    computed.sidecar["axes"] =
+        axes->write({response.lambda_nm.values, response.theta_r_deg.values});
+  Json sidecar;
+  if (output)
+    sidecar = output->commit(bytes, std::move(computed.sidecar),
+                             axes ? axes->files() : std::vector<evaluation::OutputFile*>{});
+  else
+    print(bytes);
+  remove(computed.checkpoint);
+  if (output && options.json) print(evaluation::json_text(sidecar));
 }
 
 }  // namespace

@@ -183,6 +183,7 @@ void add_run(CLI::App* sweep, SweepOptions& options) {
              "CSV file, with its sidecar FILE.json (default: CSV to standard output)");
   add_choice(sweep, "--layout", options.layout, layout_choices, "of the CSV (default matrix)");
   options.run.add_to(sweep);
+  options.checkpoint.add_to(sweep);
   sweep->add_flag("--json", options.json, "print the sidecar, or with --explain the plan, as JSON");
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "apps/commands/checkpoint_options.h"
 #include "apps/commands/geometric_options.h"
 #include "apps/commands/illuminated_options.h"
 #include "apps/commands/like_options.h"
@@ -45,6 +46,7 @@ struct SweepOptions {
   Preset preset = Preset::physical;
   std::optional<int> audit;
   RunOptions run;
+  CheckpointOptions checkpoint;
   std::string output;
   bool json = false, explain = false;
 

@@ -45,17 +45,20 @@ void TablePictures::see(int power, const brdf::HalfSpectrum& spectrum,
                         const brdf::HeightField& field, const std::string& title) {
   if (power >= most_powers) return;
   write(static_cast<std::size_t>(power) + 1,
-        draw_png(SpectrumPicture{&spectrum, field.dx_um(), field.dy_um(), power, title}));
+        draw(SpectrumPicture{&spectrum, field.dx_um(), field.dy_um(), power, title},
+             PictureFormat::png));
 }
 
 evaluation::Json TablePictures::finish(std::span<const brdf::SpectrumExtrema> powers,
                                        const std::string& title) {
-  write(0, draw_png(ExtremaPicture{powers, title}));
+  write(0, draw(ExtremaPicture{powers, title}, PictureFormat::png));
   return described_;
 }
 
-void TablePictures::commit() {
-  for (evaluation::OutputFile& output : outputs_) output.commit();
+std::vector<evaluation::OutputFile*> TablePictures::outputs() {
+  std::vector<evaluation::OutputFile*> outputs;
+  for (evaluation::OutputFile& output : outputs_) outputs.push_back(&output);
+  return outputs;
 }
 
 void TablePictures::write(std::size_t number, const std::string& png) {

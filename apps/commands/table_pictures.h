@@ -13,8 +13,9 @@
 
 namespace apps {
 
-/// Draws the first powers and, at the end, the extrema of all. Nothing is in the folder before
-/// `commit`; a folder made for the pictures is removed where it does not come to that.
+/// Draws the first powers and, at the end, the extrema of all. Nothing is in the folder before the
+/// outputs are put in place; a folder made for the pictures is removed where it does not come to
+/// that.
 class TablePictures {
  public:
   /// The files that there will be: extrema.png and power_N.png of at most 8 powers.
@@ -28,8 +29,8 @@ class TablePictures {
            const std::string& title);
   /// Draws the extrema; file and hash of every picture, for the sidecar.
   evaluation::Json finish(std::span<const brdf::SpectrumExtrema> powers, const std::string& title);
-  /// Puts them in place.
-  void commit();
+  /// What is to be put in place.
+  std::vector<evaluation::OutputFile*> outputs();
 
  private:
   /// Made where there is none; removed at the end if it was made and is empty.

@@ -67,7 +67,8 @@ void TradeoffOptions::add_to(CLI::App* app) {
              "of the order of the runs (default 1)", "N");
   run.add_to(app);
   add_output(app, output, "CSV table, with its sidecar FILE.json")->required();
-  add_parsed(app, "--plot", picture, parse_path, "PNG picture of the table", "FILE");
+  add_parsed(app, "--plot", picture, parse_path, "PNG, SVG or PDF: the picture of the table",
+             "FILE");
 }
 
 void TradeoffOptions::require_consistent() const {
@@ -164,7 +165,7 @@ void run(TradeoffOptions options) {
   options.require_consistent();
   evaluation::SweepRequest sweep = options.scene.request();
   evaluation::OutputWithSidecar output(options.output);
-  std::optional<evaluation::OutputWithSidecar> picture;
+  std::optional<PictureOutput> picture;
   if (!options.picture.empty()) picture.emplace(options.picture);
   const evaluation::HeightFile input = options.heights.read();
   options.scene.turn(input.field, options.heights.file);
@@ -212,11 +213,13 @@ void run(TradeoffOptions options) {
   sidecar["references"] = audits_json(found);
   sidecar["within_budget"] = Json::array();
   for (const std::size_t i : within) sidecar["within_budget"].push_back(i + 1);
+  output.commit(to_csv(found.rows), sidecar);
   if (picture)
-    picture->commit(draw_png({found.rows, within,
-                              std::filesystem::path(options.heights.file).filename().string()}),
-                    sidecar);
-  output.commit(to_csv(found.rows), std::move(sidecar));
+    picture->commit(
+        draw(TradeoffPicture{found.rows, within,
+                             std::filesystem::path(options.heights.file).filename().string()},
+             picture->format),
+        std::move(sidecar));
 
   std::string text = frontier_text(found.rows);
   for (const std::size_t i : within)

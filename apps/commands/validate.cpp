@@ -74,7 +74,7 @@ void run_self(const ValidateOptions& options) {
                      {options.exposure.has_value(), "--exposure"}},
                     "--self");
   const std::vector<evaluation::CheckRow> rows = evaluation::self_check();
-  print(options.json ? table_json(rows).dump(2) + "\n" : table_for_people(rows));
+  print(options.json ? evaluation::json_text(table_json(rows)) : table_for_people(rows));
   if (!all_hold(rows)) throw ValidationFailed{};
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include "brdf/error.h"
 
@@ -31,8 +32,13 @@ FileSource::FileSource(const std::filesystem::path& path) : name_(path.string())
   }
 }
 
+FileSource::FileSource(std::string name, std::string bytes)
+    : name_(std::move(name)), size_(bytes.size()), bytes_(std::move(bytes)) {
+  if (bytes_.empty()) refuse("file is empty");
+}
+
 FileSource::~FileSource() {
-  close(descriptor_);
+  if (descriptor_ >= 0) close(descriptor_);
 }
 
 std::string_view FileSource::bytes() const {
@@ -40,17 +46,32 @@ std::string_view FileSource::bytes() const {
   return bytes_;
 }
 
+std::size_t FileSource::read_at(std::uint64_t offset, char* to, std::size_t count) const {
+  if (offset >= size_) return 0;
+  count = std::min<std::uint64_t>(count, size_ - offset);
+  if (offset + count <= bytes_.size())
+    std::memcpy(to, bytes_.data() + offset, count);
+  else
+    fetch(offset, to, count);
+  return count;
+}
+
 void FileSource::read_to(std::uint64_t size) const {
-  std::size_t done = bytes_.size();
+  const std::size_t done = bytes_.size();
   if (done >= size) return;
   bytes_.resize(size);
-  while (done < size) {
-    const ssize_t count =
-        pread(descriptor_, bytes_.data() + done, size - done, static_cast<off_t>(done));
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) refuse(std::string("cannot be read: ") + std::strerror(errno));
-    if (count == 0) refuse("file has become shorter while it was read");
-    done += static_cast<std::size_t>(count);
+  fetch(done, bytes_.data() + done, size - done);
+}
+
+void FileSource::fetch(std::uint64_t offset, char* to, std::size_t count) const {
+  while (count > 0) {
+    const ssize_t got = pread(descriptor_, to, count, static_cast<off_t>(offset));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) refuse(std::string("cannot be read: ") + std::strerror(errno));
+    if (got == 0) refuse("file has become shorter while it was read");
+    offset += static_cast<std::uint64_t>(got);
+    to += got;
+    count -= static_cast<std::size_t>(got);
   }
 }
 

@@ -8,23 +8,30 @@
 
 namespace evaluation {
 
-/// A regular file, opened: its size and beginning are known before the rest is read, so that a
-/// header can be refused without the memory for what follows it.
+/// A regular file, opened, or bytes in memory: its size and beginning are known before the rest is
+/// read, so that a header can be refused without the memory for what follows it.
 class FileSource {
  public:
   /// Throws Errc::bad_input where it is missing, no regular file, empty or unreadable.
   explicit FileSource(const std::filesystem::path& path);
+  /// What another program would have in a file of that name.
+  FileSource(std::string name, std::string bytes);
   FileSource(const FileSource&) = delete;
   FileSource& operator=(const FileSource&) = delete;
   ~FileSource();
 
   const std::string& name() const { return name_; }
   std::uint64_t size() const { return size_; }
+  /// No for bytes that were given in memory.
+  bool is_on_disk() const { return descriptor_ >= 0; }
   /// The first bytes, fewer where the file is shorter. At most `head_bytes`.
   std::string_view head() const { return std::string_view(bytes_).substr(0, head_bytes); }
   /// The whole file, read when first asked for. Throws Errc::bad_input where it cannot be read, or
   /// has become shorter.
   std::string_view bytes() const;
+  /// Copies what there is from `offset` on, without keeping it; returns how many bytes, fewer than
+  /// `count` only at the end of the file. Throws Errc::bad_input where it cannot be read.
+  std::size_t read_at(std::uint64_t offset, char* to, std::size_t count) const;
 
   /// Longer than the header of any format.
   static constexpr std::size_t head_bytes = 1 << 16;
@@ -32,6 +39,7 @@ class FileSource {
  private:
   [[noreturn]] void refuse(const std::string& what) const;
   void read_to(std::uint64_t size) const;
+  void fetch(std::uint64_t offset, char* to, std::size_t count) const;
 
   std::string name_;
   int descriptor_ = -1;

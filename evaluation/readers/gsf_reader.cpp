@@ -1,15 +1,14 @@
 // Gwyddion Simple Field: "Gwyddion Simple Field 1.0", lines `Key = value`, one to four NUL bytes up
 // to a multiple of four, then rows of 32-bit little-endian floats, the first row first.
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <map>
 
 #include "brdf/error.h"
 #include "evaluation/lengths.h"
 #include "evaluation/readers/height_formats.h"
+#include "evaluation/readers/stored_number.h"
 
 namespace evaluation::detail {
 namespace {
@@ -88,12 +87,6 @@ class GsfHeader {
   std::map<std::string, std::string_view> values_;
 };
 
-float little_endian_float(const char* bytes) {
-  std::uint32_t bits = 0;
-  for (int i = 3; i >= 0; --i) bits = bits << 8 | static_cast<unsigned char>(bytes[i]);
-  return std::bit_cast<float>(bits);
-}
-
 }  // namespace
 
 bool is_gsf(std::string_view head) {
@@ -134,7 +127,7 @@ RawHeights decode_gsf(const FileSource& source, const HeightRequest& request) {
   raw.values.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(cols));
   for (Eigen::Index i = 0; i < raw.values.size(); ++i)
     raw.values.data()[i] = static_cast<double>(
-        little_endian_float(bytes.data() + data + 4 * static_cast<std::size_t>(i)));
+        stored_number<float>(bytes.data() + data + 4 * static_cast<std::size_t>(i)));
   return raw;
 }
 

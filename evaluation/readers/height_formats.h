@@ -2,14 +2,17 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "brdf/height_field.h"
 #include "evaluation/readers/file_source.h"
+#include "evaluation/readers/height_channels.h"
 
 namespace evaluation {
 
@@ -22,13 +25,18 @@ struct HeightRequest {
 /// Heights as stored, before any scale. A pixel without a height is NaN.
 struct RawHeights {
   brdf::HeightArray values;
-  std::string format;                 ///< for people, e.g. "PNG, 8 bit grey"
-  std::string channel;                ///< title of what was read; empty where the format has none
-  std::vector<std::string> channels;  ///< titles of all that there are
-  std::optional<double> full_scale;   ///< largest code of an integer format without a unit
-  std::optional<double> step;         ///< between neighbouring stored values
+  std::string format;                   ///< for people, e.g. "PNG, 8 bit grey"
+  std::string channel;                  ///< title of what was read; empty where the format has none
+  std::vector<HeightChannel> channels;  ///< all that there are
+  std::optional<double> full_scale;     ///< largest code of an integer format
+  /// Of code 0 and of the largest one, where the file says so.
+  std::optional<std::pair<brdf::Length, brdf::Length>> code_heights;
+  std::optional<double> step;  ///< between neighbouring stored values
+  /// From a stored number to the next, as a part of the largest, where `step` says nothing.
+  double rounding = std::numeric_limits<float>::epsilon();
   std::optional<brdf::Length> pixel_x, pixel_y;
   std::optional<brdf::Length> unit;  ///< of the values
+  std::string unit_name;             ///< the same as the file writes it, a length or not
 };
 
 /// A format: how it is recognised and decoded. One line in `height_formats`.

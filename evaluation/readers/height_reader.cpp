@@ -1,10 +1,10 @@
 #include "evaluation/readers/height_reader.h"
 
 #include <cmath>
-#include <limits>
 
 #include "evaluation/readers/file_source.h"
 #include "evaluation/readers/height_formats.h"
+#include "evaluation/readers/vendor_reader.h"
 #include "evaluation/sha256.h"
 
 namespace evaluation {
@@ -25,33 +25,43 @@ std::pair<Length, Length> pixel_size(const RawHeights& raw, const HeightScale& s
   throw Error(Errc::bad_input, name + ": the file gives no lateral scale; give --width or --pixel");
 }
 
-/// Length of one unit of the stored values.
-Length height_unit(const RawHeights& raw, const HeightScale& scale, const std::string& name) {
+/// Height of a stored value: one unit of it times the value, from the origin.
+struct StoredScale {
+  Length unit, origin = {};
+};
+
+StoredScale stored_scale(const RawHeights& raw, const HeightScale& scale, const std::string& name) {
   if (raw.full_scale) {
     if (scale.height_unit)
       throw Error(Errc::invalid_argument, name + ": --height-unit is for floating-point heights; " +
                                               raw.format + " takes --height-range");
-    if (!scale.height_range)
+    if (scale.height_range) return {Length::um(scale.height_range->um() / *raw.full_scale)};
+    if (!raw.code_heights)
       throw Error(Errc::bad_input, name +
                                        ": the file gives no height scale; give --height-range, "
                                        "the height of the full-scale code");
-    return Length::um(scale.height_range->um() / *raw.full_scale);
+    const auto [lowest, highest] = *raw.code_heights;
+    return {Length::um((highest.um() - lowest.um()) / *raw.full_scale), lowest};
   }
   if (scale.height_range)
     throw Error(Errc::invalid_argument, name + ": --height-range is for integer codes; " +
-                                            raw.format + " holds floating-point heights" +
+                                            raw.format + " holds heights as numbers" +
                                             (raw.unit ? " with their unit" : "") +
                                             " (--height-unit sets it)");
-  if (scale.height_unit) return *scale.height_unit;
-  if (raw.unit) return *raw.unit;
-  throw Error(Errc::bad_input, name + ": the file gives no unit of height; give --height-unit");
+  if (scale.height_unit) return {*scale.height_unit};
+  if (raw.unit) return {*raw.unit};
+  throw Error(Errc::bad_input,
+              name +
+                  (raw.unit_name.empty() ? ": the file gives no unit of height"
+                                         : ": the unit \"" + raw.unit_name + "\" is no length") +
+                  "; give --height-unit");
 }
 
 /// Integer codes are one unit apart, floats one rounding of the largest value.
 double stored_step(const RawHeights& raw) {
   if (raw.step) return *raw.step;
   if (raw.full_scale) return 1;
-  return raw.values.abs().maxCoeff() * static_cast<double>(std::numeric_limits<float>::epsilon());
+  return raw.values.abs().maxCoeff() * raw.rounding;
 }
 
 RawHeights decoded(const FileSource& source, const HeightRequest& request) {
@@ -61,6 +71,8 @@ RawHeights decoded(const FileSource& source, const HeightRequest& request) {
     throw Error(Errc::bad_input, source.name() + ": is " + std::string(format->name) +
                                      ", which this build cannot read: it was made without " +
                                      std::string(format->library));
+  if (source.is_on_disk() && detail::is_vendor_name(source.name()))
+    return detail::decode_through_gwyddion(source.name(), request);
   std::string names;
   for (const HeightFormat& known : height_formats())
     names.append(names.empty() ? "" : ", ").append(known.name);
@@ -78,21 +90,30 @@ bool holds_heights(const std::filesystem::path& path) {
 }
 
 HeightFile read_heights(const std::filesystem::path& path, const HeightChoice& choice) {
-  const FileSource source(path);
+  return read_heights(FileSource(path), choice);
+}
+
+HeightFile read_heights(const FileSource& source, const HeightChoice& choice) {
   const std::string& name = source.name();
   RawHeights raw = decoded(source, {choice.channel, choice.max_pixels});
+  if (choice.channel && raw.channels.empty())
+    throw Error(Errc::invalid_argument,
+                name + ": --channel has no meaning for " + raw.format + ", which holds one");
   const std::pair<Length, Length> pixel = pixel_size(raw, choice.scale, name);
-  const Length unit = height_unit(raw, choice.scale, name);
+  const StoredScale scale = stored_scale(raw, choice.scale, name);
   const std::size_t filled = fill_missing(raw.values, choice.missing, name);
-  const Length step = Length::um(stored_step(raw) * unit.um());
-  raw.values *= unit.um();
+  const Length step = Length::um(stored_step(raw) * std::abs(scale.unit.um()));
+  raw.values *= scale.unit.um();
+  // Not added where it is 0, which would take the sign of -0.
+  if (scale.origin.um() != 0) raw.values += scale.origin.um();
   return brdf::at_place(name, [&]() -> HeightFile {
     return {brdf::HeightField(std::move(raw.values), pixel.first, pixel.second, step),
             raw.format,
             sha256_hex(source.bytes()),
             raw.channel,
             raw.channels,
-            filled};
+            filled,
+            scale.unit};
   });
 }
 

@@ -9,9 +9,12 @@
 #include <vector>
 
 #include "brdf/height_field.h"
+#include "evaluation/readers/height_channels.h"
 #include "evaluation/readers/missing_heights.h"
 
 namespace evaluation {
+
+class FileSource;
 
 /// What the user says of a file's scale. Each overrides what the file says of itself.
 struct HeightScale {
@@ -35,11 +38,12 @@ struct HeightChoice {
 /// A height field, and where it came from.
 struct HeightFile {
   brdf::HeightField field;
-  std::string format;                      ///< for people, e.g. "PNG, 8 bit grey"
-  std::string sha256;                      ///< of the file's bytes
-  std::string channel = {};                ///< title; empty where the format has none
-  std::vector<std::string> channels = {};  ///< titles of all that there are
-  std::size_t filled = 0;                  ///< pixels that had no height
+  std::string format;                        ///< for people, e.g. "PNG, 8 bit grey"
+  std::string sha256;                        ///< of the file's bytes
+  std::string channel = {};                  ///< title; empty where the format has none
+  std::vector<HeightChannel> channels = {};  ///< all that there are
+  std::size_t filled = 0;                    ///< pixels that had no height
+  brdf::Length unit = {};                    ///< height of one unit, or code, of the stored values
 };
 
 /// Reads a height file of any of `height_formats`, recognised by content.
@@ -49,6 +53,9 @@ struct HeightFile {
 /// scale that neither the file nor the user gives. Errc::invalid_argument: a scale that has no
 /// meaning for the format, a channel that is not there.
 HeightFile read_heights(const std::filesystem::path& path, const HeightChoice& choice);
+
+/// The same of an open file, or of bytes in memory.
+HeightFile read_heights(const FileSource& source, const HeightChoice& choice);
 
 /// Whether a file begins like one of these formats; no for one that cannot be read.
 bool holds_heights(const std::filesystem::path& path);

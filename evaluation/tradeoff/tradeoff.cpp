@@ -174,7 +174,7 @@ Tradeoff tradeoff(const TradeoffRequest& request, std::span<const brdf::SurfaceM
     shuffle(order, generator);
     for (std::size_t done = 0; done < order.size(); ++done) {
       const bool late = Clock::now() - start > schedule.rounds_end;
-      if (request.limits.time && request.limits.time->passed()) request.limits.time->refuse();
+      request.limits.check_time();
       if (round == 0 || (!late && trials.wants_another(order[done]))) trials.visit(order[done]);
       if (progress)
         progress((round + static_cast<double>(done + 1) / static_cast<double>(order.size())) /

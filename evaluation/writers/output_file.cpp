@@ -1,16 +1,15 @@
 #include "evaluation/writers/output_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
+#include <system_error>
 #include <utility>
 
 #include "brdf/error.h"
 #include "evaluation/readers/file_bytes.h"
+#include "evaluation/writers/placing.h"
 
 namespace evaluation {
 
@@ -18,61 +17,47 @@ namespace fs = std::filesystem;
 using brdf::Errc;
 using brdf::Error;
 
-namespace {
-
-std::string reason() {
-  return std::strerror(errno);
-}
-
-/// The permissions that a newly created file gets. The umask cannot be read without setting it.
-mode_t default_mode() {
-  const mode_t mask = umask(0);
-  umask(mask);
-  return 0666 & ~mask;
-}
-
-}  // namespace
-
 OutputFile::OutputFile(const fs::path& target) : target_(target) {
   std::error_code ec;
-  if (fs::exists(target, ec)) {
-    // A link stays a link: what it points to is replaced.
-    target_ = fs::canonical(target, ec);
-    if (ec) refuse("cannot be resolved: " + ec.message());
-    if (!fs::is_regular_file(target_)) refuse("is not a regular file");
-    if (access(target_.c_str(), W_OK) != 0) refuse(reason());
+  if (fs::exists(target, ec)) target_ = resolved();
+  try {
+    file_.emplace(folder());
+  } catch (const std::system_error& error) {
+    refuse("its folder takes no new file: " + error.code().message());
   }
-  std::string name = target_.string() + ".XXXXXX.tmp";
-  descriptor_ = mkostemps(name.data(), 4, O_CLOEXEC);
-  if (descriptor_ < 0) refuse("its folder takes no new file: " + reason());
-  temporary_ = name;
-  fchmod(descriptor_, default_mode());
 }
 
-OutputFile::~OutputFile() {
-  if (descriptor_ >= 0) close(descriptor_);
-  if (!temporary_.empty()) unlink(temporary_.c_str());
+/// What a target that is there stands for. A link stays a link: what it points to is replaced.
+fs::path OutputFile::resolved() const {
+  std::error_code ec;
+  const fs::path file = fs::canonical(target_, ec);
+  if (ec) refuse("cannot be resolved: " + ec.message());
+  if (!fs::is_regular_file(file)) refuse("is not a regular file");
+  if (access(file.c_str(), W_OK) != 0) refuse(std::strerror(errno));
+  return file;
+}
+
+fs::path OutputFile::folder() const {
+  return target_.has_parent_path() ? target_.parent_path() : fs::path(".");
 }
 
 void OutputFile::write(std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
+    const ssize_t count = ::write(file_->descriptor(), bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) refuse(reason());
+    if (count <= 0) refuse(std::strerror(errno));
     bytes.remove_prefix(static_cast<std::size_t>(count));
   }
 }
 
-void OutputFile::commit() {
-  if (fsync(descriptor_) != 0) refuse(reason());
-  if (close(std::exchange(descriptor_, -1)) != 0) refuse(reason());
-  if (rename(temporary_.c_str(), target_.c_str()) != 0) refuse(reason());
-  temporary_.clear();
-  const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
-  const int directory = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (directory < 0) return;  // a folder that may be written but not read; the file is in place
-  fsync(directory);
-  close(directory);
+void OutputFile::commit_together(std::span<OutputFile* const> files) {
+  std::vector<Placement> placements;
+  for (OutputFile* file : files) placements.push_back({&*file->file_, file->target_});
+  try {
+    place(placements);
+  } catch (const std::system_error& error) {
+    files.front()->refuse(error.code().message());
+  }
 }
 
 void OutputFile::refuse(const std::string& what) const {
@@ -87,12 +72,16 @@ void OutputWithSidecar::write(std::string_view bytes) {
   output_.write(bytes);
 }
 
-Json OutputWithSidecar::commit(Json sidecar) {
+Json OutputWithSidecar::commit(Json sidecar, std::vector<OutputFile*> beside) {
   sidecar["output"] = {{"file", output_.target().filename().string()}, {"sha256", hash_.hex()}};
-  sidecar_.write(sidecar.dump(2) + "\n");
-  output_.commit();
-  sidecar_.commit();
+  sidecar_.write(json_text(sidecar));
+  beside.insert(beside.begin(), {&output_, &sidecar_});
+  OutputFile::commit_together(beside);
   return sidecar;
+}
+
+std::string json_text(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 fs::path sidecar_path(const fs::path& output) {

@@ -1,7 +1,6 @@
 // What advise finds in a surface, and how it says so.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -219,23 +218,15 @@ TEST_CASE("a scan that is tilted and turned is told so", "[cli][advise][real]") 
 TEST_CASE("a rough scan has no period but a speckle", "[cli][advise][real]") {
   const auto data = real_data();
   if (!data) return;
-  std::ifstream file(*data / "rough_matrix.txt");
-  Gsf gsf{.cols = 256, .rows = 256, .lines = "XReal = 10\nYReal = 10\nXYUnits = um\nZUnits = m\n"};
-  for (std::string line; std::getline(file, line);) {
-    if (line.empty() || line[0] == '#') continue;
-    std::istringstream numbers(line);
-    for (float height_m = 0; numbers >> height_m;) gsf.heights.push_back(height_m);
-  }
-  REQUIRE(gsf.heights.size() == 256 * 256);
   const Scratch folder;
-  folder.write("rough.gsf", gsf_bytes(gsf));
-  const json advice = advise(folder, "rough.gsf --theta-i 30deg");
+  const std::string rough = (*data / "rough_matrix.txt").string();
+  const json advice = advise(folder, rough + " --theta-i 30deg");
   CHECK(verdict(advice, "spectrum") == "no_period");
   CHECK(verdict(advice, "orders") == "no_period");
   CHECK(periods(advice).empty());
   // 10 um in all: a grain of speckle is about lambda / 8 um wide, 4 deg.
   CHECK(verdict(advice, "optics") == "diffraction");
-  const json blurred = advise(folder, "rough.gsf --theta-i 30deg --resolution 20deg");
+  const json blurred = advise(folder, rough + " --theta-i 30deg --resolution 20deg");
   CHECK(verdict(blurred, "optics") != "mirror");
   CHECK(blurred.at("optics").at("decided_by").at("value") != "resolved");
 }

@@ -108,8 +108,9 @@ TEST_CASE("without gnuplot the refusal says so and the response stays as it was"
           "[cli][output][plot]") {
   const Scratch folder;
   make_response(folder);
+  folder.write("older.png", "older");
   fs::create_directory(folder / "bin");
-  check_refused(folder, words("plot R.csv -o older.csv"), 4, {"gnuplot", "apt-get install"},
+  check_refused(folder, words("plot R.csv -o older.png"), 4, {"gnuplot", "apt-get install"},
                 {{"PATH", (folder / "bin").string()}});
 }
 
@@ -117,12 +118,13 @@ TEST_CASE("a gnuplot that fails, or draws nothing, is an error in one line",
           "[cli][output][plot]") {
   const Scratch folder;
   make_response(folder);
+  folder.write("older.png", "older");
   fs::create_directory(folder / "bin");
   for (const std::string script : {"#!/bin/sh\necho one line; echo another >&2; exit 3\n",
                                    "#!/bin/sh\nkill -9 $$\n", "#!/bin/sh\nexit 0\n"}) {
     folder.write("bin/gnuplot", script);
     fs::permissions(folder / "bin/gnuplot", fs::perms::owner_all);
-    check_refused(folder, words("plot R.csv -o older.csv"), 4, {"gnuplot"},
+    check_refused(folder, words("plot R.csv -o older.png"), 4, {"gnuplot"},
                   {{"PATH", (folder / "bin").string()}});
   }
 }

@@ -43,25 +43,23 @@ TEST_CASE("peaks, period and synth give the same bytes in every run", "[cli][inv
   }
 }
 
-TEST_CASE("a locale with decimal commas changes nothing", "[cli][invariant]") {
+TEST_CASE("a locale with decimal commas and another time zone change nothing", "[cli][invariant]") {
   const Scratch folder;
   make_grating(folder);
-  std::vector<std::string> comma_locales;
-  for (const std::string& locale : lines_of(folder.run({"locale", "-a"}).out))
-    for (const std::string language : {"de_", "fr_", "it_", "nl_", "ru_"})
-      if (locale.starts_with(language)) comma_locales.push_back(locale);
-  if (comma_locales.empty()) WARN("skipped: no locale with decimal commas is installed");
-  // A locale that is not installed must do no harm either.
-  comma_locales.push_back("de_DE.UTF-8");
+  // Made here: few machines have one. Without the package locales only its name is left to try.
+  const std::string locale = "de_DE.UTF-8";
+  if (folder.run({"localedef", "-c", "-i", "de_DE", "-f", "UTF-8", "./" + locale}).exit_code != 0)
+    WARN("skipped: no locale with decimal commas can be made");
   folder.prepare(sweep);
-  const std::string csv = folder.read("R.csv");
+  const std::string csv = folder.read("R.csv"), sidecar = folder.read("R.csv.json");
   const std::string period = folder.shedlight("period R.csv --by peaks").out;
-  for (const std::string& locale : comma_locales) {
-    INFO(locale);
-    const Environment german{{"LC_ALL", locale}, {"LANG", locale}};
-    CHECK(folder.shedlight(words(sweep), german).exit_code == 0);
-    const bool same = folder.read("R.csv") == csv;
+  for (const std::string zone : {"", "Pacific/Apia", "UTC-14"}) {
+    INFO(zone);
+    const Environment elsewhere{
+        {"LC_ALL", locale}, {"LANG", locale}, {"LOCPATH", folder.path().string()}, {"TZ", zone}};
+    CHECK(folder.shedlight(words(sweep), elsewhere).exit_code == 0);
+    const bool same = folder.read("R.csv") == csv && folder.read("R.csv.json") == sidecar;
     CHECK(same);
-    CHECK(folder.shedlight(words("period R.csv --by peaks"), german).out == period);
+    CHECK(folder.shedlight(words("period R.csv --by peaks"), elsewhere).out == period);
   }
 }

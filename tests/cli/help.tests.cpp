@@ -5,9 +5,9 @@
 TEST_CASE("help at every level exits 0 and shows a worked example", "[cli][help]") {
   const Scratch folder;
   for (const std::string command :
-       {"", "synth ", "info ", "advise ", "precompute ", "sweep ", "peaks ", "period ", "ridges ",
-        "plot ", "colour ", "map ", "bake ", "render ", "albedo ", "tradeoff ", "stability ",
-        "validate "}) {
+       {"",        "synth ",  "info ",     "convert ",   "advise ",   "precompute ", "sweep ",
+        "peaks ",  "period ", "ridges ",   "plot ",      "colour ",   "map ",        "bake ",
+        "render ", "albedo ", "tradeoff ", "stability ", "validate ", "completion ", "manual "}) {
     for (const std::string help : {"--help", "-h"}) {
       const Outcome outcome = folder.shedlight(command + help);
       INFO(command << help);
@@ -24,7 +24,8 @@ TEST_CASE("the version is printed on standard output", "[cli][help]") {
   const Outcome outcome = folder.shedlight("--version");
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.err == "");
-  CHECK_THAT(outcome.out, Catch::Matches("shedlight [0-9]+\\.[0-9]+\\.[0-9]+.*\n"));
+  CHECK_THAT(outcome.out,
+             Catch::Matches("shedlight [0-9]+\\.[0-9]+\\.[0-9]+.*\nreads PNG, .*gwy.*NumPy.*\n"));
 }
 
 TEST_CASE("without a subcommand nothing is done and the exit code is 2", "[cli][refusal]") {
@@ -38,7 +39,7 @@ TEST_CASE("an unknown subcommand or option is named and refused", "[cli][refusal
   check_refused(folder, "frobnicate --help-me", 2, {"frobnicate"});
   check_refused(folder, "--frobnicate", 2, {"--frobnicate"});
   for (const std::string command :
-       {"synth flat --size 9um --pixels 9 -o older.csv", "info x.png",
+       {"synth flat --size 9um --pixels 9 -o older.csv", "info x.png", "convert x.png -o older.csv",
         "albedo x.png --theta-i 1deg --lambda 1um -o older.csv",
         "tradeoff x.png --theta-i 1deg --theta-r 1deg --lambda 1um -o older.csv",
         "stability -o older.csv", "advise x.png --theta-i 1deg",
@@ -56,6 +57,8 @@ TEST_CASE("a missing argument is named and refused", "[cli][refusal]") {
   check_refused(folder, "sweep g.gsf --theta-i 75deg --theta-r -50:-25:1deg", 2, {"--lambda"});
   check_refused(folder, "sweep --theta-i 75deg --theta-r -5deg --lambda 550nm", 2, {"file"});
   check_refused(folder, "info", 2, {"file"});
+  check_refused(folder, "convert g.gsf", 2, {"--output"});
+  check_refused(folder, "convert -o older.csv", 2, {"file"});
   check_refused(folder, "advise g.gsf", 2, {"--theta-i"});
   check_refused(folder, "advise --theta-i 1deg", 2, {"file"});
   check_refused(folder, "plot R.csv", 2, {"--output"});

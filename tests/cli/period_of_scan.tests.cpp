@@ -133,3 +133,11 @@ TEST_CASE("real scans: period by heights, light from the left and from the right
   CHECK(grating.at("azimuth_deg").get<double>() == Approx(45.5).margin(0.2));
   CHECK(grating.at("agree") == true);
 }
+
+TEST_CASE("a rough scan as text has no period", "[cli][period][real]") {
+  const auto data = real_data();
+  if (!data) return;
+  const Scratch folder;
+  const std::string file = (*data / "rough_matrix.txt").string();
+  check_refused(folder, words("period") + file, 5, {"rough_matrix.txt", "no period"});
+}

@@ -3,10 +3,12 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -66,31 +68,6 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return result;
 }
 
-Outcome spawn(Words command, const fs::path& folder, const Environment& changes,
-              const std::string& out_file) {
-  const Catcher out, err;
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  if (out_file.empty())
-    posix_spawn_file_actions_adddup2(&actions, out.descriptor(), STDOUT_FILENO);
-  else
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out_file.c_str(), O_WRONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, err.descriptor(), STDERR_FILENO);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  std::vector<std::string> variables = environment_with(changes);
-  pid_t child = 0;
-  const int failed = posix_spawnp(&child, command.front().c_str(), &actions, nullptr,
-                                  pointers(command).data(), pointers(variables).data());
-  posix_spawn_file_actions_destroy(&actions);
-  if (failed != 0) fail(command.front(), failed);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) fail("waitpid", errno);
-  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return {code, out.text(), err.text()};
-}
-
 Words with_program(Words arguments) {
   arguments.insert(arguments.begin(), SHEDLIGHT_PROGRAM);
   return arguments;
@@ -105,6 +82,53 @@ std::string bytes_of(const fs::path& path) {
 }
 
 }  // namespace
+
+struct Running::Streams {
+  Catcher out, err;
+};
+
+Running::Running(Words command, const fs::path& folder, const Environment& changes,
+                 const std::string& out_file)
+    : streams_(std::make_unique<Streams>()) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  if (out_file.empty())
+    posix_spawn_file_actions_adddup2(&actions, streams_->out.descriptor(), STDOUT_FILENO);
+  else
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out_file.c_str(), O_WRONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, streams_->err.descriptor(), STDERR_FILENO);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  std::vector<std::string> variables = environment_with(changes);
+  const int failed = posix_spawnp(&process_, command.front().c_str(), &actions, nullptr,
+                                  pointers(command).data(), pointers(variables).data());
+  posix_spawn_file_actions_destroy(&actions);
+  if (failed != 0) fail(command.front(), failed);
+}
+
+Running::~Running() {
+  if (process_ == 0) return;
+  kill(process_, SIGKILL);
+  waitpid(process_, nullptr, 0);
+}
+
+void Running::signal(int number) const {
+  kill(process_, number);
+}
+
+Outcome Running::wait() {
+  int status = 0;
+  rusage usage{};
+  while (wait4(process_, &status, 0, &usage) < 0)
+    if (errno != EINTR) fail("wait4", errno);
+  process_ = 0;
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return {code, streams_->out.text(), streams_->err.text(),
+          seconds(usage.ru_utime) + seconds(usage.ru_stime), usage.ru_maxrss};
+}
 
 Words words(const std::string& command) {
   Words result;
@@ -155,16 +179,20 @@ std::map<std::string, std::string> Scratch::contents() const {
   return all;
 }
 
+Running Scratch::start(const Words& arguments, const Environment& changes) const {
+  return {with_program(arguments), path_, changes, ""};
+}
+
 Outcome Scratch::shedlight(const Words& arguments, const Environment& changes) const {
-  return spawn(with_program(arguments), path_, changes, "");
+  return start(arguments, changes).wait();
 }
 
 Outcome Scratch::shedlight_into(const std::string& file, const std::string& arguments) const {
-  return spawn(with_program(words(arguments)), path_, {}, file);
+  return Running(with_program(words(arguments)), path_, {}, file).wait();
 }
 
 Outcome Scratch::run(const Words& command) const {
-  return spawn(command, path_, {}, "");
+  return Running(command, path_, {}, "").wait();
 }
 
 void Scratch::prepare(const std::string& arguments) const {

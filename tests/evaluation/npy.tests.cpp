@@ -128,7 +128,9 @@ TEST_CASE("files that are no such array are refused before memory is taken", "[n
   };
   refused("", "not NPY");
   refused("GIF89a and so on, long enough", "not NPY");
-  refused(std::string("\x93NUMPY\x02\x00\x10\x00\x00\x00", 12), "not NPY");
+  refused(std::string("\x93NUMPY\x02\x00\x10\x00\x00\x00", 12), "cut off");
+  refused(std::string("\x93NUMPY\x02\x00\x00\x00\x00\xFF", 12), "at most 32768");
+  refused(std::string("\x93NUMPY\x04\x00\x10\x00", 10), "not NPY");
   refused(npy(header_of("(2, 3)"), six).substr(0, 40), "cut off");
   refused(npy(header_of("(2, 3)", "<f2"), six), "'<f2'");
   refused(npy(header_of("(2, 3)", "<f4"), six), "does not match");

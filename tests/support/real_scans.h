@@ -4,9 +4,7 @@
 #include <catch2/catch.hpp>
 #include <complex>
 #include <filesystem>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -59,26 +57,4 @@ inline evaluation::HeightFile read_scan(const std::filesystem::path& folder,
     scale.height_range = Length::nm(434.7);
   }
   return evaluation::read_heights(folder / name, choice);
-}
-
-/// rough_matrix.txt: heights in m on 256 x 256 pixels, 10 um wide, below lines that begin with #.
-inline brdf::HeightField rough_matrix(const std::filesystem::path& folder) {
-  constexpr Eigen::Index side = 256;
-  std::ifstream file(folder / "rough_matrix.txt");
-  brdf::HeightArray heights_um(side, side);
-  Eigen::Index row = 0;
-  for (std::string line; std::getline(file, line);) {
-    if (line.empty() || line[0] == '#') continue;
-    REQUIRE(row < side);
-    std::istringstream numbers(line);
-    for (Eigen::Index col = 0; col < side; ++col) {
-      double height_m = 0;
-      REQUIRE(numbers >> height_m);
-      heights_um(row, col) = height_m * 1e6;
-    }
-    ++row;
-  }
-  REQUIRE(row == side);
-  const auto pixel = brdf::Length::um(10.0 / side);
-  return brdf::HeightField(std::move(heights_um), pixel, pixel);
 }

@@ -1,0 +1,43 @@
+// Files that declare more than they hold: refused at once, in one line, in little memory.
+#pragma once
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/cli/refusal.h"
+
+// What a refused file may cost; the program itself takes some 0.01 s and 15 MiB.
+constexpr double most_seconds = 1;
+constexpr long most_kib = 64 << 10;
+
+/// Checks that `info` refuses a file in one line, at no more than what it may cost above the start
+/// of the program.
+inline void check_cheaply_refused(const Scratch& folder, const std::string& file,
+                                  const std::string& options = "") {
+  const Outcome start = folder.shedlight("--version");
+  const Outcome outcome =
+      folder.shedlight("info " + file + " --width 1um --height-unit 1nm" + options);
+  INFO(file << ": " << outcome.err << outcome.seconds << " s, " << outcome.peak_kib << " KiB");
+  CHECK(outcome.exit_code == 3);
+  CHECK(outcome.out == "");
+  CHECK_THAT(outcome.err, Catch::StartsWith("shedlight: " + file + ": "));
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  CHECK(outcome.seconds <= most_seconds);
+  CHECK(outcome.peak_kib - start.peak_kib <= most_kib);
+}
+
+/// A number of `size` bytes, the least significant first.
+inline std::string little_endian(std::uint64_t value, int size) {
+  std::string bytes;
+  for (int i = 0; i < size; ++i) bytes += static_cast<char>(value >> 8 * i & 0xFF);
+  return bytes;
+}
+
+/// Makes a file four gigabytes long without giving it the room.
+inline void stretch(const Scratch& folder, const std::string& file) {
+  std::filesystem::resize_file(folder / file, std::uintmax_t{4} << 30);
+}
