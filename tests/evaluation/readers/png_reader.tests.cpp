@@ -186,6 +186,16 @@ TEST_CASE("a picture below the limit that was cut off costs nothing", "[png][lim
   }
 }
 
+TEST_CASE("a whole picture that says more pixels than its bytes hold costs nothing",
+          "[png][limit]") {
+  std::string bytes = png({});
+  // 16000 columns and rows in the header.
+  bytes.replace(16, 8, std::string("\x00\x00\x3E\x80\x00\x00\x3E\x80", 8));
+  check_cheap([&] {
+    CHECK_THAT(refusal_of(bytes, own_scale()), Catch::Contains("cannot hold 16000 x 16000"));
+  });
+}
+
 TEST_CASE("texts that unpack to gigabytes are bounded", "[png][limit]") {
   std::vector<Text> texts;
   for (int i = 0; i < 200; ++i)
