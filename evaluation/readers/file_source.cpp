@@ -46,6 +46,11 @@ std::string_view FileSource::bytes() const {
   return bytes_;
 }
 
+std::string FileSource::take() && {
+  read_to(size_);
+  return std::move(bytes_);
+}
+
 std::size_t FileSource::read_at(std::uint64_t offset, char* to, std::size_t count) const {
   if (offset >= size_) return 0;
   count = std::min<std::uint64_t>(count, size_ - offset);

@@ -33,6 +33,9 @@ class FileSource {
   /// `count` only at the end of the file. Throws Errc::bad_input where it cannot be read.
   std::size_t read_at(std::uint64_t offset, char* to, std::size_t count) const;
 
+  /// The same, given away: nothing is left here.
+  std::string take() &&;
+
   /// Longer than the header of any format.
   static constexpr std::size_t head_bytes = 1 << 16;
 

@@ -7,7 +7,7 @@
 #include <array>
 
 #include "brdf/error.h"
-#include "evaluation/readers/samples.h"
+#include "evaluation/readers/stored_number.h"
 
 namespace evaluation::detail {
 namespace {
@@ -63,7 +63,7 @@ void require_whole_header(std::string_view head, const ExrRefusal& refuse) {
     skip_text();  // name
     skip_text();  // type
     skip(4);
-    skip(little_endian<std::uint32_t>(head.data() + at - 4));
+    skip(stored_number<std::uint32_t>(head.data() + at - 4));
   }
   skip(1);
 }
@@ -113,7 +113,7 @@ void require_places(const Imf::Header& header, bool is_tiled, const ExrWindow& w
     const std::uint64_t count = std::min<std::uint64_t>(left, piece.size() / 8);
     if (source.read_at(at, piece.data(), 8 * count) != 8 * count) refuse("file is truncated");
     for (std::uint64_t i = 0; i < count; ++i) {
-      const auto place = little_endian<std::uint64_t>(piece.data() + 8 * i);
+      const auto place = stored_number<std::uint64_t>(piece.data() + 8 * i);
       if (place < end || place >= source.size())
         refuse("a line or tile lies at byte " + std::to_string(place) + " of " +
                std::to_string(source.size()) + "; file is truncated or was not finished");

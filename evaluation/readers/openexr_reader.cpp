@@ -15,6 +15,7 @@
 #include "brdf/error.h"
 #include "evaluation/readers/openexr_layout.h"
 #include "evaluation/readers/samples.h"
+#include "evaluation/readers/stored_number.h"
 
 namespace evaluation::detail {
 namespace {
@@ -76,7 +77,7 @@ RawHeights decoded(const FileSource& source, const HeightRequest& request) {
   const ExrRefusal refuse{source};
   const std::string_view head = source.head();
   if (head.size() < preamble_bytes) refuse("file is truncated");
-  const auto version = little_endian<std::uint32_t>(head.data() + 4);
+  const auto version = stored_number<std::uint32_t>(head.data() + 4);
   if (version & deep_flag) refuse("holds deep pixels; read are plain ones");
   if (version & parts_flag) refuse("holds several parts; read is one");
   require_whole_header(head, refuse);

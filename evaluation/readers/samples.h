@@ -1,35 +1,14 @@
-// Numbers as files store them.
+// How far apart neighbouring stored heights are.
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <limits>
-#include <type_traits>
+#include <optional>
 
 #include "brdf/height_field.h"
 
 namespace evaluation::detail {
-
-/// The number at `bytes` in the order of this machine.
-template <class T>
-T native(const char* bytes) {
-  T value;
-  std::memcpy(&value, bytes, sizeof value);
-  return value;
-}
-
-/// The number at `bytes`, its least significant byte first.
-template <class T>
-T little_endian(const char* bytes) {
-  char ordered[sizeof(T)];
-  std::memcpy(ordered, bytes, sizeof(T));
-  if constexpr (std::endian::native == std::endian::big) std::reverse(ordered, ordered + sizeof(T));
-  return native<T>(ordered);
-}
 
 /// Distance of neighbouring floating-point numbers at the largest finite value of an array;
 /// `epsilon` is that distance at 1.
@@ -42,6 +21,15 @@ inline double step_at_largest(const brdf::HeightArray& values, double epsilon) {
 
 inline double step_of_doubles(const brdf::HeightArray& values) {
   return step_at_largest(values, std::numeric_limits<double>::epsilon());
+}
+
+/// Of the numbers of a file, by their type (`is_integer`, `bytes`); nothing for single precision,
+/// which is what a reader is taken for.
+template <class NumberType>
+std::optional<double> step_of(const NumberType& type, const brdf::HeightArray& values) {
+  if (type.is_integer) return 1;
+  if (type.bytes == sizeof(double)) return step_of_doubles(values);
+  return std::nullopt;
 }
 
 }  // namespace evaluation::detail

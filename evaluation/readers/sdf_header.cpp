@@ -5,7 +5,7 @@
 #include <map>
 
 #include "brdf/error.h"
-#include "evaluation/readers/samples.h"
+#include "evaluation/readers/stored_number.h"
 
 namespace evaluation::detail {
 namespace {
@@ -91,7 +91,7 @@ class BinaryFields {
     if (source_.head().size() < at_ + sizeof(T))
       refuse(source_, "header does not end; file is truncated");
     at_ += sizeof(T);
-    return little_endian<T>(source_.head().data() + at_ - sizeof(T));
+    return stored_number<T>(source_.head().data() + at_ - sizeof(T));
   }
   /// ISO 25178-71 widens the counts in its version 2.
   std::uint64_t next_count() {

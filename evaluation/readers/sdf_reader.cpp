@@ -11,6 +11,7 @@
 #include "brdf/error.h"
 #include "evaluation/readers/samples.h"
 #include "evaluation/readers/sdf_header.h"
+#include "evaluation/readers/stored_number.h"
 
 namespace evaluation::detail {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 /// The lowest number of a type that has a sign is the standard's mark of a missing pixel.
 template <class T>
 double height(const char* bytes) {
-  const T value = little_endian<T>(bytes);
+  const T value = stored_number<T>(bytes);
   if (std::is_signed_v<T> && value == std::numeric_limits<T>::lowest())
     return std::numeric_limits<double>::quiet_NaN();
   return static_cast<double>(value);
@@ -165,10 +166,7 @@ RawHeights decode_sdf(const FileSource& source, const HeightRequest& request) {
     read_text(source, header, raw.values);
   else
     read_binary(source, header, type, raw.values);
-  if (type.is_integer)
-    raw.step = 1;
-  else if (type.bytes == sizeof(double))
-    raw.step = step_of_doubles(raw.values);
+  raw.step = step_of(type, raw.values);
   return raw;
 }
 

@@ -7,6 +7,7 @@
 
 #include "brdf/error.h"
 #include "evaluation/readers/samples.h"
+#include "evaluation/readers/stored_number.h"
 #include "evaluation/readers/tiff_file.h"
 
 namespace evaluation::detail {
@@ -21,7 +22,7 @@ struct SampleKind {
 
 template <class T>
 double number(const char* bytes) {
-  return static_cast<double>(native<T>(bytes));
+  return static_cast<double>(stored_number<T>(bytes, std::endian::native));
 }
 
 constexpr std::array sample_kinds{

@@ -12,6 +12,7 @@
 
 #include "brdf/error.h"
 #include "evaluation/readers/samples.h"
+#include "evaluation/readers/stored_number.h"
 #include "evaluation/readers/zip_archive.h"
 
 namespace evaluation::detail {
@@ -30,7 +31,7 @@ struct DataType {
 
 template <class T>
 double number(const char* bytes) {
-  return static_cast<double>(little_endian<T>(bytes));
+  return static_cast<double>(stored_number<T>(bytes));
 }
 
 constexpr std::array data_types{
@@ -192,10 +193,7 @@ RawHeights decode_x3p(const FileSource& source, const HeightRequest& request) {
         raw.values.data()[i] = std::numeric_limits<double>::quiet_NaN();
   }
   if (offset_m != 0) raw.values += offset_m / increment_m;
-  if (type.is_integer)
-    raw.step = 1;
-  else if (type.bytes == sizeof(double))
-    raw.step = step_of_doubles(raw.values);
+  raw.step = step_of(type, raw.values);
   return raw;
 }
 
