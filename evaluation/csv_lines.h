@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -68,7 +69,7 @@ class CsvLines {
 
   std::string_view rest_, line_;
   const std::string& name_;
-  int number_ = 0;
+  std::uint64_t number_ = 0;
 };
 
 }  // namespace evaluation

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "brdf/error.h"
+#include "evaluation/sha256.h"
 
 namespace evaluation {
 
@@ -59,6 +60,19 @@ std::size_t FileSource::read_at(std::uint64_t offset, char* to, std::size_t coun
   else
     fetch(offset, to, count);
   return count;
+}
+
+std::string FileSource::bytes_of(FileRange range) const {
+  if (range.begin >= size_) return {};
+  std::string bytes(std::min(range.size, size_ - range.begin), '\0');
+  read_at(range.begin, bytes.data(), bytes.size());
+  return bytes;
+}
+
+std::string FileSource::sha256() const {
+  Sha256 hash;
+  for (std::uint64_t at = 0; at < size_; at += head_bytes) hash.update(bytes_of({at, head_bytes}));
+  return hash.hex();
 }
 
 void FileSource::read_to(std::uint64_t size) const {

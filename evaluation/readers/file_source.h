@@ -8,6 +8,11 @@
 
 namespace evaluation {
 
+/// A stretch of a file.
+struct FileRange {
+  std::uint64_t begin = 0, size = 0;
+};
+
 /// A regular file, opened, or bytes in memory: its size and beginning are known before the rest is
 /// read, so that a header can be refused without the memory for what follows it.
 class FileSource {
@@ -32,6 +37,10 @@ class FileSource {
   /// Copies what there is from `offset` on, without keeping it; returns how many bytes, fewer than
   /// `count` only at the end of the file. Throws Errc::bad_input where it cannot be read.
   std::size_t read_at(std::uint64_t offset, char* to, std::size_t count) const;
+  /// A copy of what there is of a range, without keeping it. Throws as `read_at`.
+  std::string bytes_of(FileRange range) const;
+  /// SHA-256 of the whole file in lower-case hexadecimal, without keeping it. Throws as `read_at`.
+  std::string sha256() const;
 
   /// The same, given away: nothing is left here.
   std::string take() &&;

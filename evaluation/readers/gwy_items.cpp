@@ -1,10 +1,14 @@
 #include "evaluation/readers/gwy_items.h"
 
+#include <algorithm>
+
 #include "brdf/error.h"
 #include "evaluation/readers/stored_number.h"
 
 namespace evaluation::detail {
 namespace {
+
+constexpr std::size_t window_bytes = 1 << 16;
 
 /// Of a value without a length of its own; 0 for strings, objects and arrays.
 std::uint64_t fixed_size(char type) {
@@ -31,16 +35,16 @@ char element_type(char array) {
 }  // namespace
 
 std::optional<GwyItem> GwyItems::next() {
-  if (rest_.empty()) return std::nullopt;
+  if (at_end()) return std::nullopt;
   GwyItem item{};
-  item.key = text();
-  item.type = take(1)[0];
+  item.key = name();
+  item.type = character();
   if (item.type == 'o') {
-    const GwyItem value = object();
-    item.object = value.object;
-    item.bytes = value.bytes;
+    GwyItem inner = object();
+    item.object = std::move(inner.object);
+    item.value = inner.value;
   } else {
-    item.bytes = value(item.type);
+    item.value = value(item.type);
   }
   return item;
 }
@@ -48,44 +52,83 @@ std::optional<GwyItem> GwyItems::next() {
 GwyItem GwyItems::object() {
   GwyItem item{};
   item.type = 'o';
-  item.object = text();
-  item.bytes = take(count());
+  item.object = name();
+  item.value = take(count());
   return item;
 }
 
-std::string_view GwyItems::value(char type) {
+FileRange GwyItems::value(char type) {
   if (const std::uint64_t size = fixed_size(type)) return take(size);
   if (type == 's') return text();
   const char element = element_type(type);
   if (element == '\0') refuse("an item has the unknown type '" + std::string(1, type) + "'");
   const std::uint64_t many = count();
   if (const std::uint64_t size = fixed_size(element)) return take(many * size);
-  const std::string_view before = rest_;
-  for (std::uint64_t i = 0; i < many; ++i) element == 's' ? text() : object().bytes;
-  return before.substr(0, before.size() - rest_.size());
+  const std::uint64_t begin = at_;
+  for (std::uint64_t i = 0; i < many; ++i) element == 's' ? text() : object().value;
+  return {begin, at_ - begin};
 }
 
-std::string_view GwyItems::take(std::uint64_t count) {
-  if (count > rest_.size())
-    refuse(std::to_string(count) + " bytes are said to follow where " +
-           std::to_string(rest_.size()) + " are left; file is truncated or damaged");
-  const std::string_view taken = rest_.substr(0, count);
-  rest_.remove_prefix(count);
-  return taken;
+std::string_view GwyItems::at_hand(std::uint64_t at, std::size_t least) {
+  least = std::min<std::uint64_t>(least, end_ - at);
+  if (at < window_at_ || window_at_ + window_.size() < at + least || window_.empty()) {
+    window_.resize(std::min<std::uint64_t>(window_bytes, end_ - at));
+    source_.read_at(at, window_.data(), window_.size());
+    window_at_ = at;
+  }
+  return std::string_view(window_).substr(at - window_at_, end_ - at);
 }
 
-std::string_view GwyItems::text() {
-  const std::size_t end = rest_.find('\0');
-  if (end == std::string_view::npos) refuse("a text does not end; file is truncated or damaged");
-  return take(end + 1).substr(0, end);
+FileRange GwyItems::take(std::uint64_t count) {
+  if (count > end_ - at_)
+    refuse(std::to_string(count) + " bytes are said to follow where " + std::to_string(end_ - at_) +
+           " are left; file is truncated or damaged");
+  at_ += count;
+  return {at_ - count, count};
+}
+
+char GwyItems::character() {
+  const FileRange one = take(1);
+  return at_hand(one.begin, 1)[0];
 }
 
 std::uint32_t GwyItems::count() {
-  return stored_number<std::uint32_t>(take(4).data());
+  const FileRange number = take(sizeof(std::uint32_t));
+  return stored_number<std::uint32_t>(at_hand(number.begin, number.size).data());
+}
+
+FileRange GwyItems::text() {
+  const std::uint64_t begin = at_;
+  for (std::uint64_t at = at_; at < end_;) {
+    const std::string_view bytes = at_hand(at, 1);
+    const std::size_t end = bytes.find('\0');
+    if (end != std::string_view::npos) {
+      at_ = at + end + 1;
+      return {begin, at + end - begin};
+    }
+    at += bytes.size();
+  }
+  refuse("a text does not end; file is truncated or damaged");
+}
+
+std::string GwyItems::name() {
+  const FileRange range = text();
+  return gwy_text(source_, range);
 }
 
 void GwyItems::refuse(const std::string& what) const {
-  throw brdf::Error(brdf::Errc::bad_input, name_ + ": GWY: " + what);
+  refuse_gwy(source_.name(), what);
+}
+
+std::string gwy_text(const FileSource& source, FileRange text) {
+  if (text.size > longest_text)
+    refuse_gwy(source.name(), "a name or text has " + std::to_string(text.size) +
+                                  " bytes, must be at most " + std::to_string(longest_text));
+  return source.bytes_of(text);
+}
+
+void refuse_gwy(const std::string& name, const std::string& what) {
+  throw brdf::Error(brdf::Errc::bad_input, name + ": GWY: " + what);
 }
 
 }  // namespace evaluation::detail

@@ -6,41 +6,59 @@
 #include <string>
 #include <string_view>
 
+#include "evaluation/readers/file_source.h"
+
 namespace evaluation::detail {
 
-/// One item of an object: its bytes are those of the value alone.
+/// One item of an object: its range is that of the value alone.
 struct GwyItem {
-  std::string_view key;
-  char type;                     ///< b c i q d s o, and C I Q D S O for arrays of them
-  std::string_view bytes;        ///< a string without its NUL, an array without its count
-  std::string_view object = {};  ///< name of the type of an object
+  std::string key;
+  char type;                ///< b c i q d s o, and C I Q D S O for arrays of them
+  FileRange value;          ///< a string without its NUL, an array without its count
+  std::string object = {};  ///< name of the type of an object
 };
 
 /// One pass over the items of an object, little-endian: key, NUL, type, value. Every size is held
-/// against what is left; objects in it are stepped over, not entered. Refers to its bytes.
+/// against what is left; objects in it are stepped over, not entered. Refers to its file.
 ///
-/// Each item takes bytes of the file, so that a pass takes no more time than reading them.
+/// Values are stepped over without being read, but for texts, whose ends must be found.
 class GwyItems {
  public:
-  GwyItems(std::string_view bytes, const std::string& name) : rest_(bytes), name_(name) {}
+  GwyItems(const FileSource& source, FileRange object)
+      : source_(source), at_(object.begin), end_(object.begin + object.size) {}
 
-  /// Empty at the end. Throws Errc::bad_input where an item does not fit or its type is unknown.
+  /// Empty at the end. Throws Errc::bad_input where an item does not fit, its type is unknown or
+  /// its key longer than `longest_text`.
   std::optional<GwyItem> next();
 
   /// The object at the beginning, for the file itself.
   GwyItem object();
-  bool at_end() const { return rest_.empty(); }
+  bool at_end() const { return at_ == end_; }
 
  private:
   [[noreturn]] void refuse(const std::string& what) const;
-  std::string_view take(std::uint64_t count);
-  std::string_view text();
+  /// What is at hand from a place on: at least `least` bytes, fewer only at the end.
+  std::string_view at_hand(std::uint64_t at, std::size_t least);
+  FileRange take(std::uint64_t count);
+  char character();
   std::uint32_t count();
-  /// The bytes of a value, stepped over.
-  std::string_view value(char type);
+  FileRange text();
+  std::string name();
+  /// A value, stepped over.
+  FileRange value(char type);
 
-  std::string_view rest_;
-  const std::string& name_;
+  const FileSource& source_;
+  std::uint64_t at_, end_;
+  std::string window_;
+  std::uint64_t window_at_ = 0;
 };
+
+/// A text in the file. Throws Errc::bad_input where it is longer than `longest_text`.
+std::string gwy_text(const FileSource& source, FileRange text);
+
+/// Longer than any that Gwyddion writes.
+constexpr std::uint64_t longest_text = 1 << 16;
+
+[[noreturn]] void refuse_gwy(const std::string& name, const std::string& what);
 
 }  // namespace evaluation::detail

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -31,9 +30,8 @@ struct RawHeights {
   std::optional<double> full_scale;     ///< largest code of an integer format
   /// Of code 0 and of the largest one, where the file says so.
   std::optional<std::pair<brdf::Length, brdf::Length>> code_heights;
-  std::optional<double> step;  ///< between neighbouring stored values
-  /// From a stored number to the next, as a part of the largest, where `step` says nothing.
-  double rounding = std::numeric_limits<float>::epsilon();
+  /// From a stored value to the next; nothing for codes and numbers of single precision.
+  std::optional<double> step;
   std::optional<brdf::Length> pixel_x, pixel_y;
   std::optional<brdf::Length> unit;  ///< of the values
   std::string unit_name;             ///< the same as the file writes it, a length or not

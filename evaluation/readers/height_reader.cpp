@@ -1,11 +1,12 @@
 #include "evaluation/readers/height_reader.h"
 
 #include <cmath>
+#include <limits>
 
 #include "evaluation/readers/file_source.h"
 #include "evaluation/readers/height_formats.h"
+#include "evaluation/readers/samples.h"
 #include "evaluation/readers/vendor_reader.h"
-#include "evaluation/sha256.h"
 
 namespace evaluation {
 namespace {
@@ -61,7 +62,7 @@ StoredScale stored_scale(const RawHeights& raw, const HeightScale& scale, const 
 double stored_step(const RawHeights& raw) {
   if (raw.step) return *raw.step;
   if (raw.full_scale) return 1;
-  return raw.values.abs().maxCoeff() * raw.rounding;
+  return detail::step_at_largest(raw.values, std::numeric_limits<float>::epsilon());
 }
 
 RawHeights decoded(const FileSource& source, const HeightRequest& request) {
@@ -109,7 +110,7 @@ HeightFile read_heights(const FileSource& source, const HeightChoice& choice) {
   return brdf::at_place(name, [&]() -> HeightFile {
     return {brdf::HeightField(std::move(raw.values), pixel.first, pixel.second, step),
             raw.format,
-            sha256_hex(source.bytes()),
+            source.sha256(),
             raw.channel,
             raw.channels,
             filled,

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <type_traits>
 
 #include "brdf/error.h"
 #include "evaluation/npy_header.h"
+#include "evaluation/readers/samples.h"
 #include "evaluation/readers/stored_number.h"
 
 namespace evaluation::detail {
@@ -19,7 +21,7 @@ struct NumberType {
   std::string_view name;
   std::size_t bytes;
   double (*read)(const char* bytes, std::endian order);
-  double rounding = 0;  ///< of the floating-point types
+  bool is_integer;
 };
 
 template <class Number>
@@ -28,7 +30,7 @@ constexpr NumberType number_type(std::string_view name) {
           [](const char* bytes, std::endian order) {
             return static_cast<double>(stored_number<Number>(bytes, order));
           },
-          static_cast<double>(std::numeric_limits<Number>::epsilon())};
+          std::is_integral_v<Number>};
 }
 
 constexpr std::array number_types{
@@ -69,8 +71,6 @@ RawHeights decode_npy(const FileSource& source, const HeightRequest& request) {
 
   RawHeights raw;
   raw.format = "NPY, " + header.type;
-  raw.rounding = type->rounding;
-  if (type->rounding == 0) raw.step = 1;
   raw.values.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(cols));
   const char* const numbers = source.bytes().data() + header.size;
   const std::endian order = header.type[0] == '>' ? std::endian::big : std::endian::little;
@@ -79,10 +79,11 @@ RawHeights decode_npy(const FileSource& source, const HeightRequest& request) {
   for (std::uint64_t row = 0; row < rows; ++row)
     for (std::uint64_t col = 0; col < cols; ++col) {
       const double value = type->read(numbers + (row * down + col * along) * type->bytes, order);
-      if (type->rounding == 0 && std::abs(value) > largest_whole)
+      if (type->is_integer && std::abs(value) > largest_whole)
         refuse("a whole number beyond 2^53, which double does not hold");
       raw.values(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(col)) = value;
     }
+  raw.step = step_of(*type, raw.values);
   return raw;
 }
 

@@ -27,9 +27,9 @@ constexpr long most_kib = 64 << 10;
 #endif
 
 /// Checks that `info` refuses a file in one line, at no more than what it may cost above the start
-/// of the program.
-inline void check_cheaply_refused(const Scratch& folder, const std::string& file,
-                                  const std::string& options = "") {
+/// of the program. Returns the line.
+inline std::string check_cheaply_refused(const Scratch& folder, const std::string& file,
+                                         const std::string& options = "") {
   // AddressSanitizer keeps what was freed, and would be measured in place of the program.
   const Environment frees{{"ASAN_OPTIONS", "quarantine_size_mb=1"}};
   const Outcome start = folder.shedlight(words("--version"), frees);
@@ -42,6 +42,7 @@ inline void check_cheaply_refused(const Scratch& folder, const std::string& file
   CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
   CHECK(outcome.seconds <= most_seconds);
   CHECK(outcome.peak_kib - start.peak_kib <= most_kib);
+  return outcome.err;
 }
 
 /// A number of `size` bytes, the least significant first.

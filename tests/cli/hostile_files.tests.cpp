@@ -60,6 +60,27 @@ std::string openexr(std::uint64_t last_col, std::uint64_t last_row, int compress
          attribute("screenWindowWidth", "float", one) + more + '\0';
 }
 
+/// The beginning of a Gwyddion file of four gigabytes: one channel, whose numbers fill the rest.
+std::string gwyddion(std::uint64_t cols, std::uint64_t rows) {
+  constexpr std::uint64_t size = std::uint64_t{4} << 30;
+  const auto text = [](const std::string& characters) { return characters + '\0'; };
+  // An object reaches to the end of the file; `before` are the bytes that stand before it.
+  const auto object = [&](const std::string& before, const std::string& type) {
+    const std::string named = before + text(type);
+    return named + little_endian(size - named.size() - 4, 4);
+  };
+  std::string bytes = object("GWYP", "GwyContainer");
+  bytes = object(bytes + text("/0/data") + 'o', "GwyDataField");
+  bytes +=
+      text("xres") + 'i' + little_endian(cols, 4) + text("yres") + 'i' + little_endian(rows, 4);
+  // The numbers begin at a multiple of their size.
+  const std::string data = text("data") + 'D';
+  const std::string flag = text("") + 'b' + '\1';
+  const std::uint64_t behind = bytes.size() + flag.size() + data.size() + 4;
+  bytes += std::string((8 - behind % 8) % 8, 'x') + flag + data;
+  return bytes + little_endian((size - bytes.size() - 4) / 8, 4);
+}
+
 }  // namespace
 
 TEST_CASE("a TIFF of 236 bytes that declares 40 GB is refused at once", "[cli][hostile]") {
@@ -151,4 +172,16 @@ TEST_CASE("a large file that begins as OpenEXR is not read whole to be refused",
     stretch(folder, "long.exr");
     check_cheaply_refused(folder, "long.exr");
   }
+}
+
+TEST_CASE("a Gwyddion file is not read whole to be refused", "[cli][hostile]") {
+  const Scratch folder;
+  const auto check = [&](const std::string& bytes, const std::string& part) {
+    folder.write("long.gwy", bytes);
+    stretch(folder, "long.gwy");
+    CHECK_THAT(check_cheaply_refused(folder, "long.gwy"), Catch::Contains(part));
+  };
+  check(gwyddion(1 << 15, 1 << 14), "32768 x 16384 pixels, must be from 1 to 268435456");
+  check(gwyddion(1 << 14, 1 << 14), "16384 x 16384 pixels need 268435456");
+  check("GWYP" + std::string(100'000, 'x'), "a name or text has 100000 bytes");
 }

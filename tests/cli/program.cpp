@@ -142,35 +142,18 @@ Words operator+(Words command, const std::string& argument) {
   return command;
 }
 
-Scratch::Scratch() {
-  std::string name = (fs::temp_directory_path() / "shedlight-test-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) fail(name, errno);
-  path_ = name;
-}
-
-Scratch::~Scratch() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
-void Scratch::write(const std::string& name, const std::string& bytes) const {
-  std::ofstream file(path_ / name, std::ios::binary);
-  file << bytes;
-  if (!file.flush()) throw std::runtime_error("cannot write " + (path_ / name).string());
-}
-
 std::string Scratch::read(const std::string& name) const {
-  return bytes_of(path_ / name);
+  return bytes_of(path() / name);
 }
 
 bool Scratch::holds(const std::string& name) const {
-  return fs::exists(fs::symlink_status(path_ / name));
+  return fs::exists(fs::symlink_status(path() / name));
 }
 
 std::map<std::string, std::string> Scratch::contents() const {
   std::map<std::string, std::string> all;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path_)) {
-    std::string& bytes = all[entry.path().lexically_relative(path_).string()];
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path())) {
+    std::string& bytes = all[entry.path().lexically_relative(path()).string()];
     if (entry.is_symlink())
       bytes = "-> " + fs::read_symlink(entry.path()).string();
     else if (entry.is_regular_file())
@@ -180,7 +163,7 @@ std::map<std::string, std::string> Scratch::contents() const {
 }
 
 Running Scratch::start(const Words& arguments, const Environment& changes) const {
-  return {with_program(arguments), path_, changes, ""};
+  return {with_program(arguments), path(), changes, ""};
 }
 
 Outcome Scratch::shedlight(const Words& arguments, const Environment& changes) const {
@@ -188,11 +171,11 @@ Outcome Scratch::shedlight(const Words& arguments, const Environment& changes) c
 }
 
 Outcome Scratch::shedlight_into(const std::string& file, const std::string& arguments) const {
-  return Running(with_program(words(arguments)), path_, {}, file).wait();
+  return Running(with_program(words(arguments)), path(), {}, file).wait();
 }
 
 Outcome Scratch::run(const Words& command) const {
-  return Running(command, path_, {}, "").wait();
+  return Running(command, path(), {}, "").wait();
 }
 
 void Scratch::prepare(const std::string& arguments) const {

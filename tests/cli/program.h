@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/temporary_folder.h"
+
 using Words = std::vector<std::string>;
 
 /// The words of a command, at blanks: "sweep g.gsf -o R.csv".
@@ -46,18 +48,9 @@ class Running {
   pid_t process_ = 0;
 };
 
-/// A folder of its own, removed at the end, in which commands run.
-class Scratch {
+/// A folder in which commands run.
+class Scratch : public TemporaryFolder {
  public:
-  Scratch();
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch();
-
-  const std::filesystem::path& path() const { return path_; }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
-  void write(const std::string& name, const std::string& bytes) const;
   /// The bytes of a file. Throws std::runtime_error where there is none.
   std::string read(const std::string& name) const;
   bool holds(const std::string& name) const;
@@ -78,7 +71,4 @@ class Scratch {
 
   /// Runs `shedlight` for what later commands need; throws with its message where it fails.
   void prepare(const std::string& arguments) const;
-
- private:
-  std::filesystem::path path_;
 };

@@ -95,7 +95,7 @@ TEST_CASE("the albedo of an isolated flat patch is that of a grid in polar angle
 }
 
 TEST_CASE("the albedo of lobes in many directions equals an integral line by line",
-          "[albedo][oracle]") {
+          "[albedo][oracle][long]") {
   // A patch of few wavelengths, so that the other rule is quick; its lobes reach the horizon.
   const double sigma_um = 1.5, lambda_um = 0.6;
   const brdf::HeightField field = flat(40, 0.25);

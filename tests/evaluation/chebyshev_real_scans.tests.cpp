@@ -88,7 +88,7 @@ TEST_CASE("series and vectorised sums of real scans equal those made in another 
 }
 
 TEST_CASE("a real relief keeps every tolerance, eight per decade",
-          "[chebyshev_series][oracle][real]") {
+          "[chebyshev_series][oracle][real][long]") {
   const auto folder = real_data();
   if (!folder) return;
   constexpr std::uint64_t seed = 502;

@@ -1,7 +1,5 @@
 #include "evaluation/colour_volume_file.h"
 
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <filesystem>
@@ -11,6 +9,7 @@
 #include "evaluation/npy.h"
 #include "tests/support/is_error.h"
 #include "tests/support/random_inputs.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -35,18 +34,12 @@ std::vector<float> random_numbers(const VolumeGrid& grid) {
 /// A volume in a folder that is removed at the end.
 class Volume {
  public:
-  explicit Volume(const std::vector<float>& numbers = random_numbers(small_grid()))
-      : folder_(std::filesystem::temp_directory_path() /
-                ("shedlight-volume-" + std::to_string(getpid()))) {
-    std::filesystem::create_directory(folder_);
+  explicit Volume(const std::vector<float>& numbers = random_numbers(small_grid())) {
     evaluation::OutputWithSidecar output(path());
     output.write(evaluation::colour_volume_header(small_grid()));
     sidecar_ = output.commit(evaluation::npy_bytes(numbers),
                              {{"volume", evaluation::volume_json(small_grid().shape())}});
   }
-  Volume(const Volume&) = delete;
-  Volume& operator=(const Volume&) = delete;
-  ~Volume() { std::filesystem::remove_all(folder_); }
 
   std::filesystem::path path() const { return folder_ / "volume.npy"; }
   std::string bytes() const {
@@ -71,7 +64,7 @@ class Volume {
   }
 
  private:
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
   Json sidecar_;
 };
 

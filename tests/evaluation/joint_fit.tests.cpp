@@ -97,7 +97,8 @@ double period_of_peaks_nm(const Swept& made, double period_um) {
 
 }  // namespace
 
-TEST_CASE("the joint fit of a smooth grating gives its period to 1e-5", "[oracle][joint_fit]") {
+TEST_CASE("the joint fit of a smooth grating gives its period to 1e-5",
+          "[oracle][joint_fit][long]") {
   const double period_um = GENERATE(0.8137, 1.4442, 2.3329, 4.8763);
   const double theta_i_deg = GENERATE(0.0, 75.0);
   const double sigma_um = GENERATE(5.0, 16.25);

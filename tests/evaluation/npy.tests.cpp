@@ -1,15 +1,13 @@
 #include "evaluation/npy.h"
 
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 
 #include "evaluation/sha256.h"
 #include "tests/support/is_error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -18,21 +16,6 @@ using evaluation::NpyType;
 using evaluation::read_npy;
 
 constexpr std::size_t limit = 1 << 20;
-
-/// A file that is removed at the end.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::string& bytes)
-      : path_(std::filesystem::temp_directory_path() /
-              ("shedlight-" + std::to_string(getpid()) + ".npy")) {
-    std::ofstream(path_, std::ios::binary) << bytes;
-  }
-  ~TemporaryFile() { std::filesystem::remove(path_); }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 std::string npy(std::string header, const std::string& data) {
   header += '\n';
@@ -69,8 +52,9 @@ TEST_CASE("what is written reads back the same, with the hash of the file", "[np
                                                   {4, 5},  {6, 7},        {8, 9}};
   const std::string bytes = evaluation::npy_header({NpyType::complex_value, {2, 1, 3}}) +
                             std::string(evaluation::npy_bytes(numbers));
-  const TemporaryFile file(bytes);
-  const auto read = read_npy(file.path(), limit);
+  const TemporaryFolder folder;
+  const auto path = folder.write("file.npy", bytes);
+  const auto read = read_npy(path, limit);
   CHECK(read.shape.type == NpyType::complex_value);
   CHECK(read.shape.extents == std::vector<std::size_t>{2, 1, 3});
   REQUIRE(read.numbers.size() == 12);
@@ -85,8 +69,9 @@ TEST_CASE("numbers of 4 bytes are read as they are, from any place, and as nothi
       1, -0.0f, 0.1f, Limits::max(), Limits::denorm_min(), 1e-3f, Limits::lowest()};
   const std::string bytes =
       evaluation::npy_header({NpyType::single, {7}}) + std::string(evaluation::npy_bytes(numbers));
-  const TemporaryFile file(bytes);
-  const evaluation::NpyReader reader(file.path());
+  const TemporaryFolder folder;
+  const auto path = folder.write("file.npy", bytes);
+  const evaluation::NpyReader reader(path);
   CHECK(reader.shape().type == NpyType::single);
   CHECK(reader.shape().extents == std::vector<std::size_t>{7});
   REQUIRE(reader.size() == 7);
@@ -106,8 +91,9 @@ TEST_CASE("numbers of 4 bytes are read as they are, from any place, and as nothi
 TEST_CASE("numbers of 4 bytes that are none, or numbers of 8 bytes, are not read as floats",
           "[npy]") {
   const auto refused = [](const std::string& bytes, const char* part) {
-    const TemporaryFile file(bytes);
-    const evaluation::NpyReader reader(file.path());
+    const TemporaryFolder folder;
+    const auto path = folder.write("file.npy", bytes);
+    const evaluation::NpyReader reader(path);
     std::vector<float> numbers(3);
     CHECK_ERROR(reader.read(0, std::span(numbers)), Errc::bad_input, part);
   };
@@ -123,8 +109,9 @@ TEST_CASE("files that are no such array are refused before memory is taken", "[n
   const std::string six = bytes_of({1, 2, 3, 4, 5, 6});
   const auto refused = [](const std::string& bytes, const char* part, Errc code = Errc::bad_input) {
     CAPTURE(part);
-    const TemporaryFile file(bytes);
-    CHECK_ERROR(read_npy(file.path(), limit), code, part);
+    const TemporaryFolder folder;
+    const auto path = folder.write("file.npy", bytes);
+    CHECK_ERROR(read_npy(path, limit), code, part);
   };
   refused("", "not NPY");
   refused("GIF89a and so on, long enough", "not NPY");

@@ -70,7 +70,7 @@ double brightest_deg(const evaluation::ResponseMatrix& response, Eigen::Index ro
 }  // namespace
 
 TEST_CASE("the orders of every profile lie where the grating equation puts them",
-          "[oracle][grating_equation]") {
+          "[oracle][grating_equation][long]") {
   const auto [method, model] =
       GENERATE(Case{"direct", SurfaceModel::isolated}, Case{"direct", SurfaceModel::periodic},
                Case{"direct", SurfaceModel::replicated}, Case{"chebyshev", SurfaceModel::isolated},

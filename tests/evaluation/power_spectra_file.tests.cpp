@@ -1,7 +1,5 @@
 #include "evaluation/power_spectra_file.h"
 
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +11,7 @@
 #include "tests/support/amplitudes.h"
 #include "tests/support/is_error.h"
 #include "tests/support/random_inputs.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/worst_error.h"
 
 namespace {
@@ -42,19 +41,13 @@ HeightFile some_heights() {
 /// Tables in a folder that is removed at the end.
 class Tables {
  public:
-  explicit Tables(const TableSource& source, TableNormalisation normalisation)
-      : folder_(std::filesystem::temp_directory_path() /
-                ("shedlight-" + std::to_string(getpid()))) {
-    std::filesystem::create_directory(folder_);
+  Tables(const TableSource& source, TableNormalisation normalisation) {
     evaluation::OutputWithSidecar output(path());
     evaluation::PowerSpectraWriter writer(output, source, terms, normalisation);
     brdf::ComputedPowerSpectra(source.input->field)
         .visit(terms, [&](int, const HalfSpectrum& spectrum) { writer.write(spectrum); });
     sidecar_ = writer.commit({{"input", {{"sha256", source.input->sha256}}}});
   }
-  Tables(const Tables&) = delete;
-  Tables& operator=(const Tables&) = delete;
-  ~Tables() { std::filesystem::remove_all(folder_); }
 
   std::filesystem::path path() const { return folder_ / "tables.npy"; }
   const Json& sidecar() const { return sidecar_; }
@@ -63,7 +56,7 @@ class Tables {
   }
 
  private:
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
   Json sidecar_;
 };
 

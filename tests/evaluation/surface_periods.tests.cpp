@@ -61,7 +61,7 @@ double relative_error(const PeriodEstimate& estimate, double period_um) {
 
 }  // namespace
 
-TEST_CASE("the period of band-limited gratings is right to 5e-6", "[period][oracle]") {
+TEST_CASE("the period of band-limited gratings is right to 5e-6", "[period][oracle][long]") {
   double worst = 0;
   for (const double depth_um : {0.02, 0.2, 0.7})
     for (const double period_um : periods_um) {
@@ -83,7 +83,8 @@ TEST_CASE("the period of band-limited gratings is right to 5e-6", "[period][orac
   figure("period", "worst relative error of band-limited profiles", worst);
 }
 
-TEST_CASE("the period of sharp edges is as right as their samples allow", "[period][oracle]") {
+TEST_CASE("the period of sharp edges is as right as their samples allow",
+          "[period][oracle][long]") {
   std::vector<double> errors;
   for (const Profile profile : {Profile::blazed, Profile::lamellar})
     for (const double period_um : periods_um)
@@ -187,7 +188,7 @@ TEST_CASE("a lattice has two vectors, a grating one", "[period][oracle]") {
   CHECK(shorter.frequency.azimuth().deg() == Approx(88).margin(0.1));
 }
 
-TEST_CASE("intervals cover in 92 to 98 % of disordered gratings", "[period][oracle]") {
+TEST_CASE("intervals cover in 92 to 98 % of disordered gratings", "[period][oracle][long]") {
   struct Case {
     const char* name;
     brdf::Disorder jitter;
@@ -315,7 +316,7 @@ TEST_CASE("a measured rough surface is refused", "[period][real]") {
               "no period");
 }
 
-TEST_CASE("light from either side gives intervals that overlap on skins", "[period][real]") {
+TEST_CASE("light from either side gives intervals that overlap on skins", "[period][real][long]") {
   const auto folder = real_data();
   if (!folder) return;
   for (const char* name : {"elaphe_65um.png", "xenopeltis_65um.png"}) {

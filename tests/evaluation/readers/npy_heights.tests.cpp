@@ -112,7 +112,7 @@ TEST_CASE("an array that says more than the file holds is refused at once", "[np
 
 TEST_CASE("an array is refused wherever it was cut or damaged", "[npy]") {
   for (const char* name : {"numpy_f4.npy", "numpy_version2.npy"}) {
-    check_every_cut_refused(foreign_bytes(name), plain());
+    check_refused_wherever_cut(foreign_bytes(name));
     try_every_byte_changed(foreign_bytes(name), plain());
   }
 }

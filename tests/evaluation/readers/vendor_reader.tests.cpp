@@ -1,12 +1,11 @@
 #include "evaluation/readers/vendor_reader.h"
 
-#include <unistd.h>
-
 #include <cstdlib>
 
 #include "tests/support/damaged_files.h"
 #include "tests/support/foreign_files.h"
 #include "tests/support/is_error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -19,29 +18,21 @@ class OnlyPath {
   OnlyPath() {
     const char* path = std::getenv("PATH");
     before_ = path ? path : "";
-    std::string name = (fs::temp_directory_path() / "shedlight-path-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("mkdtemp");
-    folder_ = name;
-    setenv("PATH", name.c_str(), 1);
+    setenv("PATH", folder_.path().c_str(), 1);
   }
-  ~OnlyPath() {
-    setenv("PATH", before_.c_str(), 1);
-    fs::remove_all(folder_);
-  }
+  ~OnlyPath() { setenv("PATH", before_.c_str(), 1); }
   /// A script in the place of Gwyddion; $1 is the option with the output, $2 the file.
   void gwyddion(const std::string& script) const {
-    std::ofstream(folder_ / "gwyddion") << "#!/bin/sh\n" << script;
-    fs::permissions(folder_ / "gwyddion", fs::perms::owner_all);
+    fs::permissions(folder_.write("gwyddion", "#!/bin/sh\n" + script), fs::perms::owner_all);
   }
   fs::path file(const std::string& name) const {
-    std::ofstream(folder_ / name) << "neither numbers nor a magic";
-    return folder_ / name;
+    return folder_.write(name, "neither numbers nor a magic");
   }
-  const fs::path& folder() const { return folder_; }
+  const fs::path& folder() const { return folder_.path(); }
 
  private:
   std::string before_;
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 }  // namespace
