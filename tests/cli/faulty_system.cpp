@@ -2,18 +2,21 @@
 // SHEDLIGHT_FAULT holds the names of the faults.
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/types.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 
 namespace {
 
@@ -63,12 +66,25 @@ namespace {
 std::array<ino_t, 64> synced;
 std::size_t synced_count = 0;
 
+/// Renames that a power cut would undo: the folder was not synced since. Shared with the process
+/// that renames.
+std::atomic<int>& unsynced_renames =
+    *new (mmap(nullptr, sizeof(std::atomic<int>), PROT_READ | PROT_WRITE,
+               MAP_SHARED | MAP_ANONYMOUS, -1, 0)) std::atomic<int>(0);
+
+struct PowerCutAtTheEnd {
+  ~PowerCutAtTheEnd() {
+    if (getpid() == program && has("power cuts") && unsynced_renames != 0) _exit(99);
+  }
+} const at_the_end;
+
 }  // namespace
 
 extern "C" int fsync(int descriptor) {
   struct stat status {};
-  if (fstat(descriptor, &status) == 0 && synced_count < synced.size())
-    synced[synced_count++] = status.st_ino;
+  const bool is_known = fstat(descriptor, &status) == 0;
+  if (is_known && S_ISDIR(status.st_mode)) unsynced_renames = 0;
+  if (is_known && synced_count < synced.size()) synced[synced_count++] = status.st_ino;
   return real<int(int)>("fsync")(descriptor);
 }
 
@@ -89,6 +105,7 @@ extern "C" int rename(const char* from, const char* to) noexcept {
     return -1;
   }
   const int result = real<int(const char*, const char*)>("rename")(from, to);
+  if (result == 0) ++unsynced_renames;
   if (has("killed at the first rename")) kill(program, SIGKILL);
   return result;
 }
