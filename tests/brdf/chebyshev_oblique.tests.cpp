@@ -57,7 +57,7 @@ Surface surface_of(const HeightField& field, SurfaceModel model) {
 }  // namespace
 
 TEST_CASE("an oblique plane keeps every tolerance from 1e-1 to 1e-12, eight per decade",
-          "[chebyshev_series][oracle]") {
+          "[chebyshev_series][oracle][long]") {
   const auto model = GENERATE(SurfaceModel::isolated, SurfaceModel::replicated);
   const auto origin = GENERATE(Origin::patch_centre, Origin::patch_corner);
   const double azimuth_deg = GENERATE(17.0, 45.0, 89.9, 133.0, -61.0, 200.0);

@@ -95,7 +95,7 @@ void sweep_tolerances(const Surface& surface, std::span<const Query> queries,
 }  // namespace
 
 TEST_CASE("error stays below tolerance and bound from 1e-1 to 1e-12, eight per decade",
-          "[chebyshev_series][oracle]") {
+          "[chebyshev_series][oracle][long]") {
   const auto kind =
       GENERATE(Relief::blazed, Relief::sinusoid, Relief::rough, Relief::deep_step, Relief::flat);
   const auto model =

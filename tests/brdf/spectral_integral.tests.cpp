@@ -110,7 +110,7 @@ TEST_CASE("the wavelengths of a direction grow with its phase, up to the largest
 }
 
 TEST_CASE("the adaptive integral is within its tolerance with fewer wavelengths",
-          "[spectral_integral][oracle]") {
+          "[spectral_integral][oracle][long]") {
   const auto reference = fine_steps();
   for (const auto model : {SurfaceModel::isolated, SurfaceModel::periodic}) {
     const Grating grating(model);
