@@ -7,6 +7,7 @@
 namespace evaluation::detail {
 namespace {
 
+constexpr std::uint64_t piece_bytes = FileSource::head_bytes;
 constexpr char32_t no_character = 0xFFFD;
 
 void append_utf8(char32_t code, std::string& text) {
@@ -50,15 +51,37 @@ std::string from_utf16(std::string_view bytes, std::endian order) {
   return text;
 }
 
+/// Without half a unit or the first of a pair at the end.
+std::size_t whole_characters(std::string_view bytes, std::endian order) {
+  const std::size_t units = bytes.size() / 2 * 2;
+  if (units == 0) return 0;
+  const auto last = stored_number<std::uint16_t>(bytes.data() + units - 2, order);
+  return last >= 0xD800 && last < 0xDC00 ? units - 2 : units;
+}
+
 }  // namespace
 
-std::string_view utf8_text(std::string_view bytes, std::string& own) {
+Utf8Pieces::Utf8Pieces(const FileSource& source) : source_(&source) {
   constexpr std::string_view utf8 = "\xEF\xBB\xBF", little = "\xFF\xFE", big = "\xFE\xFF";
-  if (bytes.starts_with(utf8)) return bytes.substr(utf8.size());
-  if (bytes.starts_with(little))
-    return own = from_utf16(bytes.substr(little.size()), std::endian::little);
-  if (bytes.starts_with(big)) return own = from_utf16(bytes.substr(big.size()), std::endian::big);
-  return bytes;
+  const std::string_view head = source.head();
+  if (head.starts_with(little)) utf16_ = std::endian::little;
+  if (head.starts_with(big)) utf16_ = std::endian::big;
+  if (utf16_) at_ = little.size();
+  if (head.starts_with(utf8)) at_ = utf8.size();
+}
+
+std::string Utf8Pieces::next() {
+  while (at_ < source_->size()) {
+    std::string bytes = left_over_ + source_->bytes_of({at_, piece_bytes});
+    at_ += bytes.size() - left_over_.size();
+    left_over_.clear();
+    if (!utf16_) return bytes;
+    const std::size_t whole =
+        at_ < source_->size() ? whole_characters(bytes, *utf16_) : bytes.size();
+    left_over_ = bytes.substr(whole);
+    if (whole > 0) return from_utf16(std::string_view(bytes).substr(0, whole), *utf16_);
+  }
+  return {};
 }
 
 }  // namespace evaluation::detail

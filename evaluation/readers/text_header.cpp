@@ -30,7 +30,7 @@ constexpr bool is_one_of(std::string_view word, const auto& words) {
 }
 
 /// The value and the rest of "10.00 µm".
-std::optional<Length> length(std::string_view text, const CsvLines& lines) {
+std::optional<Length> length(std::string_view text, const TextLines& lines) {
   double value = 0;
   const char* end = text.data() + text.size();
   const auto [after, ec] = std::from_chars(text.data(), end, value);
@@ -46,7 +46,7 @@ std::optional<Length> length(std::string_view text, const CsvLines& lines) {
   return Length::um(value * one->um());
 }
 
-void take_comment(std::string_view comment, const CsvLines& lines, TextHeader& header) {
+void take_comment(std::string_view comment, const TextLines& lines, TextHeader& header) {
   constexpr std::string_view wide_colon = "：";
   const std::size_t narrow = comment.find(':'), wide = comment.find(wide_colon);
   const std::size_t colon = std::min(narrow, wide);
@@ -119,7 +119,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-bool read_text_header(CsvLines& lines, TextHeader& header) {
+bool read_text_header(TextLines& lines, TextHeader& header) {
   while (lines.next()) {
     const std::string_view line = trimmed(lines.line());
     if (line.empty()) continue;

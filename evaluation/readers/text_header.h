@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "brdf/units.h"
-#include "evaluation/csv_lines.h"
+#include "evaluation/readers/text_lines.h"
 
 namespace evaluation::detail {
 
@@ -25,7 +25,7 @@ struct TextHeader {
 /// Known are the lines that Gwyddion writes, "Channel: ", "Width: ", "Height: " and "Value units:
 /// ", in all its languages, and names such as "x [um]", "y (um)", "z_nm". Others say nothing.
 /// Throws Errc::bad_input for a width or height with a decimal comma, or that is not positive.
-bool read_text_header(CsvLines& lines, TextHeader& header);
+bool read_text_header(TextLines& lines, TextHeader& header);
 
 /// Without blanks, no-break spaces among them, at either end.
 std::string_view trimmed(std::string_view text);

@@ -6,8 +6,8 @@
 #include "brdf/error.h"
 #include "evaluation/lengths.h"
 #include "evaluation/readers/point_grid.h"
-#include "evaluation/readers/text_encoding.h"
 #include "evaluation/readers/text_header.h"
+#include "evaluation/readers/text_lines.h"
 #include "evaluation/readers/text_table.h"
 
 namespace evaluation::detail {
@@ -60,9 +60,9 @@ bool holds_points(const TextTable& table, const TextHeader& header, const PointG
 }  // namespace
 
 bool is_text(std::string_view head) {
-  std::string own;
-  const std::string name;
-  CsvLines lines(utf8_text(head, own), name);
+  if (head.empty()) return false;
+  const FileSource beginning("", std::string(head));
+  TextLines lines(beginning);
   TextHeader header;
   try {
     return read_text_header(lines, header) && looks_like_numbers(lines.line());
@@ -73,8 +73,7 @@ bool is_text(std::string_view head) {
 
 RawHeights decode_text(const FileSource& source, const HeightRequest& request) {
   const std::string& name = source.name();
-  std::string own;
-  CsvLines lines(utf8_text(source.bytes(), own), name);
+  TextLines lines(source);
   TextHeader header;
   if (!read_text_header(lines, header))
     throw brdf::Error(brdf::Errc::bad_input, name + ": holds no numbers");

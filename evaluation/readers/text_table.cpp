@@ -33,7 +33,7 @@ class RowReader {
   explicit RowReader(char separator) : separator_(separator) {}
 
   /// The cells of a line; a separator at its end is told by `ends_open`.
-  void read(const CsvLines& lines) {
+  void read(const TextLines& lines) {
     at_ = lines.line().data();
     end_ = at_ + lines.line().size();
     row.clear();
@@ -60,7 +60,7 @@ class RowReader {
   }
 
   /// Up to the separator, or the end of the line.
-  void take_number(const CsvLines& lines) {
+  void take_number(const TextLines& lines) {
     const char* const cell = at_;
     if (*at_ == '+' && at_ + 1 != end_ && at_[1] != '-') ++at_;
     double value = 0;
@@ -74,7 +74,7 @@ class RowReader {
     row.push_back(value);
   }
 
-  [[noreturn]] void refuse(const CsvLines& lines, const char* cell) const {
+  [[noreturn]] void refuse(const TextLines& lines, const char* cell) const {
     const std::string_view rest(cell, static_cast<std::size_t>(end_ - cell));
     const std::string_view text = rest.substr(0, rest.find(separator_));
     // "1,5 2,5" comes in pieces of which one holds a blank.
@@ -92,7 +92,7 @@ class RowReader {
   const char *at_ = nullptr, *end_ = nullptr;
 };
 
-std::size_t rows_from(CsvLines lines) {
+std::size_t rows_from(TextLines lines) {
   std::size_t rows = 0;
   do rows += is_blank(lines.line()) ? 0 : 1;
   while (lines.next());
@@ -109,7 +109,7 @@ bool looks_like_numbers(std::string_view line) {
          line.starts_with("NaN") || line.starts_with("NAN");
 }
 
-TextTable read_text_table(CsvLines lines,
+TextTable read_text_table(TextLines lines,
                           const std::function<void(std::size_t, std::size_t)>& require) {
   RowReader reader(separator_of(lines.line()));
   reader.read(lines);

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "brdf/height_field.h"
-#include "evaluation/csv_lines.h"
+#include "evaluation/readers/text_lines.h"
 
 namespace evaluation::detail {
 
@@ -25,7 +25,7 @@ bool looks_like_numbers(std::string_view line);
 /// is called with the numbers of columns and rows before memory is taken. Throws Errc::bad_input
 /// with line and column for a cell that is no number, such as one with a decimal comma or beyond
 /// the range of double, and with the line for rows of another length.
-TextTable read_text_table(CsvLines lines,
+TextTable read_text_table(TextLines lines,
                           const std::function<void(std::size_t, std::size_t)>& require);
 
 }  // namespace evaluation::detail

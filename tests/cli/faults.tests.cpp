@@ -42,8 +42,14 @@ Contents outputs(const Scratch& folder) {
   return all;
 }
 
-void remove_outputs(const Scratch& folder) {
+/// What a command leaves that nobody disturbs.
+Contents finished_by(const Scratch& folder, const std::string& command,
+                     const Environment& system = {}) {
   for (const auto& [name, bytes] : outputs(folder)) std::filesystem::remove(folder / name);
+  const Outcome outcome = folder.shedlight(words(command), system);
+  INFO(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  return outputs(folder);
 }
 
 }  // namespace
@@ -57,13 +63,11 @@ TEST_CASE("whenever a run is killed, its outputs are whole or as they were", "[c
   int unchanged = 0;
   for (int i = 0; i < kills(); ++i) {
     const std::string command = short_commands[static_cast<std::size_t>(i) % 3];
-    remove_outputs(folder);
     // Writing and renaming take microseconds: every other run spends most of its time on them.
     const Environment system = with_faults(i % 2 == 0 ? "" : "slow writes, slow renames");
     const auto began = Clock::now();
-    REQUIRE(folder.shedlight(words(command), system).exit_code == 0);
+    const Contents finished = finished_by(folder, command, system);
     const std::chrono::duration<double> whole_run = Clock::now() - began;
-    const Contents finished = outputs(folder);
     // Nothing there before, or something else of every file.
     const bool older = random() % 2 == 0;
     for (const auto& [name, bytes] : finished)
@@ -93,9 +97,7 @@ TEST_CASE("a run that is killed between two renames leaves both files done", "[c
   const Scratch folder;
   make_response(folder);
   for (const std::string& command : short_commands) {
-    remove_outputs(folder);
-    folder.prepare(command);
-    const Contents finished = outputs(folder);
+    const Contents finished = finished_by(folder, command);
     for (const auto& [name, bytes] : finished) folder.write(name, "older");
     const Outcome outcome =
         folder.shedlight(words(command), with_faults("killed at the first rename, slow renames"));
@@ -168,9 +170,7 @@ TEST_CASE("outputs are the same where files cannot be without a name", "[cli][fa
   const Scratch folder;
   make_response(folder);
   for (const std::string& command : short_commands) {
-    remove_outputs(folder);
-    folder.prepare(command);
-    const Contents finished = outputs(folder);
+    const Contents finished = finished_by(folder, command);
     CHECK(folder.shedlight(words(command), with_faults("no unnamed files")).exit_code == 0);
     const bool same = outputs(folder) == finished;
     CHECK(same);

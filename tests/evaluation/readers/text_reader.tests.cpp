@@ -1,8 +1,11 @@
 #include "evaluation/readers/text_reader.h"
 
 #include <cmath>
+#include <fstream>
 
+#include "evaluation/readers/text_encoding.h"
 #include "tests/support/foreign_files.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/text_heights.h"
 
 namespace {
@@ -70,6 +73,65 @@ TEST_CASE("text of any usual encoding is read", "[text]") {
     CHECK(read.channel == narrow);
     CHECK((read.field.heights_um() == expected).all());
   }
+}
+
+TEST_CASE("a text of many pieces is read as one", "[text]") {
+  const int rows = 30'000;
+  brdf::HeightArray expected(rows, 2);
+  std::string text;
+  for (int row = 0; row < rows; ++row) {
+    expected.row(row) << row, -row / 8.0;
+    text += std::to_string(row) + "\t" + std::to_string(-row / 8.0) + "\r\n";
+  }
+  for (const std::string& bytes : {text, utf16(text, false), utf16(text, true)})
+    CHECK((heights(bytes) == expected).all());
+}
+
+TEST_CASE("no character is cut between two pieces", "[text]") {
+  const std::string narrow = "\xF0\x9F\x98\x80", wide("\x3D\xD8\x00\xDE", 4);
+  for (const std::string before : {"", "x"}) {
+    std::string expected = before, bytes = utf16(before, false);
+    for (int i = 0; i < 100'000; ++i) {
+      expected += narrow;
+      bytes += wide;
+    }
+    const evaluation::FileSource source("file", bytes + "y");  // half a unit
+    evaluation::detail::Utf8Pieces pieces(source);
+    std::string text;
+    int count = 0;
+    for (std::string piece = pieces.next(); !piece.empty(); piece = pieces.next(), ++count)
+      text += piece;
+    CHECK(count > 3);
+    const bool is_same = text == expected + "\xEF\xBF\xBD";
+    CHECK(is_same);
+  }
+}
+
+TEST_CASE("a line without an end is refused before much of it is read", "[text][limit]") {
+  const TemporaryFolder folder;
+  const auto path = folder.write("long.txt", "1 2\n");
+  std::filesystem::resize_file(path, std::uintmax_t{1} << 32);
+  check_cheap([&] {
+    CHECK_THAT(refusal_in([&] { evaluation::read_heights(path, plain()); }),
+               Catch::Contains("line 2: more than 16777216 characters"));
+  });
+}
+
+TEST_CASE("a text with too many rows takes no memory for them", "[text][limit]") {
+  std::string rows;
+  while (rows.size() < 1 << 20) rows += "1 2\n";
+  const TemporaryFolder folder;
+  const auto path = folder.write("long.txt", "");
+  {
+    std::ofstream file(path, std::ios::binary);
+    for (int i = 0; i < 100; ++i) file << rows;
+  }
+  HeightChoice choice = plain();
+  choice.max_pixels = 1000;
+  check_cheap([&] {
+    CHECK_THAT(refusal_in([&] { evaluation::read_heights(path, choice); }),
+               Catch::Contains("2 x 26214400 pixels"));
+  });
 }
 
 TEST_CASE("the lines of Gwyddion are known in its languages", "[text]") {
