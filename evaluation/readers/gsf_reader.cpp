@@ -41,25 +41,21 @@ class GsfHeader {
     return parsed<std::uint64_t>(key, found->second);
   }
 
+  /// Empty where there is none.
+  std::string text(const std::string& key) const {
+    const auto found = values_.find(key);
+    return found == values_.end() ? "" : std::string(found->second);
+  }
+
   /// A positive length given as a number and a unit on two lines; empty where either is missing.
   std::optional<Length> length(const std::string& key, const std::string& unit_key) const {
     const auto value = values_.find(key);
-    const std::optional<Length> one = unit(unit_key);
+    const std::optional<Length> one = length_unit(text(unit_key));
     if (value == values_.end() || !one) return std::nullopt;
     const double number = parsed<double>(key, value->second);
     if (!(number > 0 && std::isfinite(number)))
       refuse(key + " is " + std::string(value->second) + ", must be > 0");
     return Length::um(number * one->um());
-  }
-
-  std::optional<Length> unit(const std::string& key) const {
-    const auto found = values_.find(key);
-    if (found == values_.end() || found->second.empty()) return std::nullopt;
-    const std::optional<Length> unit = length_unit(found->second);
-    if (!unit)
-      refuse(key + " \"" + std::string(found->second) + "\" is no length; known are " +
-             length_unit_names());
-    return unit;
   }
 
   [[noreturn]] void refuse(const std::string& what) const {
@@ -116,7 +112,9 @@ RawHeights decode_gsf(const FileSource& source, const HeightRequest& request) {
 
   RawHeights raw;
   raw.format = "Gwyddion Simple Field, 32 bit float";
-  raw.unit = header.unit("ZUnits");
+  raw.channel = header.text("Title");
+  raw.unit_name = header.text("ZUnits");
+  raw.unit = length_unit(raw.unit_name);
   const auto pixel = [&](const char* key, std::uint64_t count) -> std::optional<Length> {
     const std::optional<Length> side = header.length(key, "XYUnits");
     if (!side) return std::nullopt;

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "brdf/error.h"
+#include "evaluation/writers/title.h"
 
 namespace evaluation {
 
@@ -12,7 +13,7 @@ std::string to_gsf(const brdf::HeightField& field, const std::string& title) {
                     "\nYRes = " + std::to_string(field.rows()) +
                     "\nXReal = " + brdf::text(brdf::Length::um(field.width_um()).m()) +
                     "\nYReal = " + brdf::text(brdf::Length::um(field.height_um()).m()) +
-                    "\nXYUnits = m\nZUnits = m\nTitle = " + title + "\n";
+                    "\nXYUnits = m\nZUnits = m\nTitle = " + in_one_line(title) + "\n";
   gsf.append(4 - gsf.size() % 4, '\0');
   gsf.reserve(gsf.size() + 4 * static_cast<std::size_t>(field.heights_um().size()));
   for (const double height_um : field.heights_um().reshaped<Eigen::RowMajor>()) {

@@ -156,7 +156,7 @@ TEST_CASE("a file without a scale is refused with the option that gives it", "[c
   folder.write("scan.gsf", gsf_bytes({.lines = ""}));
   check_file_refused(folder, "scan.gsf", "", {"scan.gsf", "--width", "--pixel"});
   folder.write("scan.gsf", gsf_bytes({.lines = "XReal = 1\nYReal = 1\nXYUnits = m\nZUnits = V\n"}));
-  check_file_refused(folder, "scan.gsf", "", {"scan.gsf", "ZUnits", "V"});
+  check_file_refused(folder, "scan.gsf", "", {"scan.gsf", "\"V\" is no length", "--height-unit"});
 }
 
 TEST_CASE("a scale of the wrong kind for a format is a usage error", "[cli][refusal]") {
