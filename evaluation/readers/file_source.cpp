@@ -26,6 +26,7 @@ FileSource::FileSource(const std::filesystem::path& path) : name_(path.string())
       refuse("is not a regular file");
     if (status.st_size <= 0) refuse("file is empty");
     size_ = static_cast<std::uint64_t>(status.st_size);
+    written_ = status.st_mtim;
     read_to(std::min<std::uint64_t>(size_, head_bytes));
   } catch (...) {
     close(descriptor_);
@@ -71,8 +72,21 @@ std::string FileSource::bytes_of(FileRange range) const {
 
 std::string FileSource::sha256() const {
   Sha256 hash;
-  for (std::uint64_t at = 0; at < size_; at += head_bytes) hash.update(bytes_of({at, head_bytes}));
+  std::string piece(head_bytes, '\0');
+  for (std::uint64_t at = 0; at < size_; at += head_bytes)
+    hash.update(std::string_view(piece).substr(0, read_at(at, piece.data(), piece.size())));
+  require_unwritten();
   return hash.hex();
+}
+
+void FileSource::require_unwritten() const {
+  if (!is_on_disk()) return;
+  struct stat status {};
+  if (fstat(descriptor_, &status) != 0)
+    refuse(std::string("cannot be read: ") + std::strerror(errno));
+  if (static_cast<std::uint64_t>(status.st_size) != size_ ||
+      status.st_mtim.tv_sec != written_.tv_sec || status.st_mtim.tv_nsec != written_.tv_nsec)
+    refuse("file has changed while it was read");
 }
 
 void FileSource::read_to(std::uint64_t size) const {

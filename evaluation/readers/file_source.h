@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <ctime>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -39,7 +40,8 @@ class FileSource {
   std::size_t read_at(std::uint64_t offset, char* to, std::size_t count) const;
   /// A copy of what there is of a range, without keeping it. Throws as `read_at`.
   std::string bytes_of(FileRange range) const;
-  /// SHA-256 of the whole file in lower-case hexadecimal, without keeping it. Throws as `read_at`.
+  /// SHA-256 of the whole file in lower-case hexadecimal, without keeping it. Throws as `read_at`,
+  /// and where the file has been written to since it was opened.
   std::string sha256() const;
 
   /// The same, given away: nothing is left here.
@@ -51,11 +53,13 @@ class FileSource {
  private:
   [[noreturn]] void refuse(const std::string& what) const;
   void read_to(std::uint64_t size) const;
+  void require_unwritten() const;
   void fetch(std::uint64_t offset, char* to, std::size_t count) const;
 
   std::string name_;
   int descriptor_ = -1;
   std::uint64_t size_ = 0;
+  timespec written_{};  ///< when the file was last, as it was opened
   mutable std::string bytes_;
 };
 

@@ -26,6 +26,12 @@ std::uint64_t fixed_size(char type) {
   }
 }
 
+void require_short(const FileSource& source, FileRange name) {
+  if (name.size > longest_name)
+    refuse_gwy(source.name(), "a name has " + std::to_string(name.size) +
+                                  " bytes, must be at most " + std::to_string(longest_name));
+}
+
 char element_type(char array) {
   constexpr std::string_view arrays = "CIQDSO", elements = "ciqdso";
   const std::size_t at = arrays.find(array);
@@ -59,13 +65,13 @@ GwyItem GwyItems::object() {
 
 FileRange GwyItems::value(char type) {
   if (const std::uint64_t size = fixed_size(type)) return take(size);
-  if (type == 's') return text();
+  if (type == 's') return text(longest_text);
   const char element = element_type(type);
   if (element == '\0') refuse("an item has the unknown type '" + std::string(1, type) + "'");
   const std::uint64_t many = count();
   if (const std::uint64_t size = fixed_size(element)) return take(many * size);
   const std::uint64_t begin = at_;
-  for (std::uint64_t i = 0; i < many; ++i) element == 's' ? text() : object().value;
+  for (std::uint64_t i = 0; i < many; ++i) element == 's' ? text(longest_text) : object().value;
   return {begin, at_ - begin};
 }
 
@@ -97,9 +103,10 @@ std::uint32_t GwyItems::count() {
   return stored_number<std::uint32_t>(at_hand(number.begin, number.size).data());
 }
 
-FileRange GwyItems::text() {
+FileRange GwyItems::text(std::uint64_t longest) {
   const std::uint64_t begin = at_;
   for (std::uint64_t at = at_; at < end_;) {
+    if (at - begin > longest) refuse("a text is longer than " + std::to_string(longest) + " bytes");
     const std::string_view bytes = at_hand(at, 1);
     const std::size_t end = bytes.find('\0');
     if (end != std::string_view::npos) {
@@ -112,19 +119,18 @@ FileRange GwyItems::text() {
 }
 
 std::string GwyItems::name() {
-  const FileRange range = text();
-  return gwy_text(source_, range);
+  const FileRange range = text(longest_name);
+  require_short(source_, range);
+  return std::string(at_hand(range.begin, range.size).substr(0, range.size));
 }
 
 void GwyItems::refuse(const std::string& what) const {
   refuse_gwy(source_.name(), what);
 }
 
-std::string gwy_text(const FileSource& source, FileRange text) {
-  if (text.size > longest_text)
-    refuse_gwy(source.name(), "a name or text has " + std::to_string(text.size) +
-                                  " bytes, must be at most " + std::to_string(longest_text));
-  return source.bytes_of(text);
+std::string gwy_name(const FileSource& source, FileRange name) {
+  require_short(source, name);
+  return source.bytes_of(name);
 }
 
 void refuse_gwy(const std::string& name, const std::string& what) {

@@ -27,8 +27,8 @@ class GwyItems {
   GwyItems(const FileSource& source, FileRange object)
       : source_(source), at_(object.begin), end_(object.begin + object.size) {}
 
-  /// Empty at the end. Throws Errc::bad_input where an item does not fit, its type is unknown or
-  /// its key longer than `longest_text`.
+  /// Empty at the end. Throws Errc::bad_input where an item does not fit, its type is unknown, its
+  /// key is longer than `longest_name` or a text in it than `longest_text`.
   std::optional<GwyItem> next();
 
   /// The object at the beginning, for the file itself.
@@ -42,7 +42,7 @@ class GwyItems {
   FileRange take(std::uint64_t count);
   char character();
   std::uint32_t count();
-  FileRange text();
+  FileRange text(std::uint64_t longest);
   std::string name();
   /// A value, stepped over.
   FileRange value(char type);
@@ -53,11 +53,12 @@ class GwyItems {
   std::uint64_t window_at_ = 0;
 };
 
-/// A text in the file. Throws Errc::bad_input where it is longer than `longest_text`.
-std::string gwy_text(const FileSource& source, FileRange text);
+/// A name, title or unit in the file. Throws Errc::bad_input where it is longer than
+/// `longest_name`.
+std::string gwy_name(const FileSource& source, FileRange name);
 
 /// Longer than any that Gwyddion writes.
-constexpr std::uint64_t longest_text = 1 << 16;
+constexpr std::uint64_t longest_name = 1 << 16, longest_text = 1 << 24;
 
 [[noreturn]] void refuse_gwy(const std::string& name, const std::string& what);
 

@@ -21,6 +21,7 @@ namespace {
 using brdf::Length;
 
 constexpr std::string_view magic = "GWYP";
+constexpr std::size_t most_channels = 4096;
 
 /// A GwyDataField, its numbers still in the file.
 struct Field {
@@ -43,7 +44,7 @@ struct Channel {
 std::string unit_of(const FileSource& source, FileRange si_unit) {
   GwyItems items(source, si_unit);
   while (const auto item = items.next())
-    if (item->key == "unitstr" && item->type == 's') return gwy_text(source, item->value);
+    if (item->key == "unitstr" && item->type == 's') return gwy_name(source, item->value);
   return {};
 }
 
@@ -111,6 +112,8 @@ std::vector<Channel> channels_of(const FileSource& source) {
     std::uint32_t number = 0;
     const auto [after, ec] = std::from_chars(key.data() + 1, key.data() + key.size(), number);
     if (ec != std::errc{}) continue;
+    if (by_number.size() > most_channels)
+      refuse_gwy(name, "more than " + std::to_string(most_channels) + " channels");
     const std::string_view rest(after, static_cast<std::size_t>(key.end() - after));
     const bool is_field = item->type == 'o' && item->object == "GwyDataField";
     if (rest == "/data" && is_field) by_number[number].field = item->value;
@@ -132,15 +135,13 @@ std::optional<Length> pixel(const std::optional<double>& side, const std::string
   return Length::um(*side * one->um() / count);
 }
 
-void take_out_masked(brdf::HeightArray& heights, const FileSource& source, const Field& mask) {
-  if (mask.cols != heights.cols() || mask.rows != heights.rows())
-    refuse_gwy(source.name(), "the mask has " + std::to_string(mask.cols) + " x " +
-                                  std::to_string(mask.rows) + " pixels, the channel " +
-                                  std::to_string(heights.cols()) + " x " +
-                                  std::to_string(heights.rows()));
-  visit(source, mask, [&](std::uint64_t i, double masked) {
-    if (masked > 0) heights.data()[i] = std::numeric_limits<double>::quiet_NaN();
-  });
+void require_mask(const Field& mask, const Field& field, const HeightRequest& request,
+                  const std::string& name) {
+  require_whole(mask, request, name);
+  if (mask.cols != field.cols || mask.rows != field.rows)
+    refuse_gwy(name, "the mask has " + std::to_string(mask.cols) + " x " +
+                         std::to_string(mask.rows) + " pixels, the channel " +
+                         std::to_string(field.cols) + " x " + std::to_string(field.rows));
 }
 
 }  // namespace
@@ -156,7 +157,7 @@ RawHeights decode_gwy(const FileSource& source, const HeightRequest& request) {
   std::vector<Field> fields;
   for (const Channel& channel : channels) {
     fields.push_back(field_of(source, *channel.field));
-    raw.channels.push_back({gwy_text(source, channel.title), fields.back().z_unit});
+    raw.channels.push_back({gwy_name(source, channel.title), fields.back().z_unit});
   }
   const std::size_t chosen = chosen_channel(raw.channels, request.channel, name);
   const Field& field = fields[chosen];
@@ -168,14 +169,18 @@ RawHeights decode_gwy(const FileSource& source, const HeightRequest& request) {
   raw.unit_name = field.z_unit;
   raw.pixel_x = pixel(field.width, field.xy_unit, field.cols, name);
   raw.pixel_y = pixel(field.height, field.xy_unit, field.rows, name);
+  std::optional<Field> mask;
+  if (channels[chosen].mask) {
+    mask = field_of(source, *channels[chosen].mask);
+    require_mask(*mask, field, request, name);
+  }
   raw.values.resize(field.rows, field.cols);
   visit(source, field, [&](std::uint64_t i, double height) { raw.values.data()[i] = height; });
+  if (mask)
+    visit(source, *mask, [&](std::uint64_t i, double masked) {
+      if (masked > 0) raw.values.data()[i] = std::numeric_limits<double>::quiet_NaN();
+    });
   raw.step = step_of_doubles(raw.values);
-  if (channels[chosen].mask) {
-    const Field mask = field_of(source, *channels[chosen].mask);
-    require_whole(mask, request, name);
-    take_out_masked(raw.values, source, mask);
-  }
   return raw;
 }
 

@@ -23,7 +23,8 @@ std::pair<Length, Length> pixel_size(const RawHeights& raw, const HeightScale& s
   }
   if (scale.pixel) return *scale.pixel;
   if (raw.pixel_x && raw.pixel_y) return {*raw.pixel_x, *raw.pixel_y};
-  throw Error(Errc::bad_input, name + ": the file gives no lateral scale; give --width or --pixel");
+  throw Error(Errc::bad_input,
+              name + ": the file gives no lateral scale that is a length; give --width or --pixel");
 }
 
 /// Height of a stored value: one unit of it times the value, from the origin.

@@ -70,16 +70,18 @@ Utf8Pieces::Utf8Pieces(const FileSource& source) : source_(&source) {
   if (head.starts_with(utf8)) at_ = utf8.size();
 }
 
-std::string Utf8Pieces::next() {
+std::string_view Utf8Pieces::next() {
   while (at_ < source_->size()) {
-    std::string bytes = left_over_ + source_->bytes_of({at_, piece_bytes});
-    at_ += bytes.size() - left_over_.size();
-    left_over_.clear();
-    if (!utf16_) return bytes;
+    bytes_.erase(0, bytes_.size() - left_over_).resize(left_over_ + piece_bytes);
+    const std::size_t read = source_->read_at(at_, bytes_.data() + left_over_, piece_bytes);
+    at_ += read;
+    bytes_.resize(left_over_ + read);
+    left_over_ = 0;
+    if (!utf16_) return bytes_;
     const std::size_t whole =
-        at_ < source_->size() ? whole_characters(bytes, *utf16_) : bytes.size();
-    left_over_ = bytes.substr(whole);
-    if (whole > 0) return from_utf16(std::string_view(bytes).substr(0, whole), *utf16_);
+        at_ < source_->size() ? whole_characters(bytes_, *utf16_) : bytes_.size();
+    left_over_ = bytes_.size() - whole;
+    if (whole > 0) return text_ = from_utf16(std::string_view(bytes_).substr(0, whole), *utf16_);
   }
   return {};
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "evaluation/readers/file_source.h"
 
@@ -17,14 +18,16 @@ class Utf8Pieces {
  public:
   explicit Utf8Pieces(const FileSource& source);
 
-  /// What comes next; empty at the end. Throws Errc::bad_input where the file cannot be read.
-  std::string next();
+  /// What comes next, until it is asked for again; empty at the end. Throws Errc::bad_input where
+  /// the file cannot be read.
+  std::string_view next();
 
  private:
   const FileSource* source_;
   std::uint64_t at_ = 0;
   std::optional<std::endian> utf16_;
-  std::string left_over_;  ///< half of a character at the end of a piece
+  std::string bytes_, text_;
+  std::size_t left_over_ = 0;  ///< bytes at the end of a piece that are half of a character
 };
 
 }  // namespace evaluation::detail

@@ -8,21 +8,20 @@ bool TextLines::next() {
   begin_ = behind_;
   std::size_t end = buffer_.find('\n', begin_);
   while (end == std::string::npos) {
-    const std::string piece = pieces_.next();
+    const std::string_view piece = pieces_.next();
     if (piece.empty()) break;
     const std::size_t looked_at = buffer_.size() - begin_;
     buffer_.erase(0, begin_).append(piece);
     begin_ = 0;
     end = buffer_.find('\n', looked_at);
-    if (end == std::string::npos && buffer_.size() > longest_line) {
-      ++number_;
-      refuse("more than " + std::to_string(longest_line) + " characters without an end");
-    }
+    if (end == std::string::npos && buffer_.size() > longest_line) break;
   }
   if (begin_ == buffer_.size()) return false;
   size_ = (end == std::string::npos ? buffer_.size() : end) - begin_;
   behind_ = end == std::string::npos ? buffer_.size() : end + 1;
   ++number_;
+  if (size_ > longest_line)
+    refuse("more than " + std::to_string(longest_line) + " bytes without an end");
   return true;
 }
 

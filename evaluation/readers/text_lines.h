@@ -24,8 +24,9 @@ class TextLines {
   /// Throws Errc::bad_input: "NAME: line 3: " + what.
   [[noreturn]] void refuse(const std::string& what) const;
 
-  /// Some 600,000 numbers of 17 digits with sign, exponent and separator.
-  static constexpr std::size_t longest_line = std::size_t{1} << 24;
+  /// In UTF-8. Some 80,000 numbers of 17 digits with sign, exponent and separator; cells of a byte
+  /// become numbers of eight.
+  static constexpr std::size_t longest_line = std::size_t{1} << 21;
 
  private:
   Utf8Pieces pieces_;

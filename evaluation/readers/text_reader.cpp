@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "brdf/error.h"
 #include "evaluation/lengths.h"
@@ -79,6 +80,11 @@ RawHeights decode_text(const FileSource& source, const HeightRequest& request) {
     throw brdf::Error(brdf::Errc::bad_input, name + ": holds no numbers");
   TextTable table = read_text_table(lines, [&](std::size_t cols, std::size_t rows) {
     require_grid(cols == 3 ? 1 : cols, rows, request, name);
+    // Each cell has a separator, a line its end or that of the file.
+    if (cols > (source.size() + 1) / rows)
+      throw brdf::Error(brdf::Errc::bad_input, name + ": " + std::to_string(source.size()) +
+                                                   " bytes cannot hold " + std::to_string(cols) +
+                                                   " x " + std::to_string(rows) + " numbers");
   });
   if (header.is_points && table.values.cols() != 3)
     throw brdf::Error(brdf::Errc::bad_input, name + ": " + std::to_string(table.values.cols()) +

@@ -118,6 +118,10 @@ TextTable read_text_table(TextLines lines,
   TextTable table;
   table.values.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(cols));
   double* next = table.values.data();
+  const double* const end = next + table.values.size();
+  const auto require_unchanged = [&](bool holds) {
+    if (!holds) lines.refuse("the file has changed while it was read");
+  };
   do {
     if (is_blank(lines.line())) continue;
     reader.read(lines);
@@ -125,8 +129,10 @@ TextTable read_text_table(TextLines lines,
     if (reader.row.size() != cols)
       lines.refuse(std::to_string(reader.row.size()) + " cells, the first row has " +
                    std::to_string(cols));
+    require_unchanged(next != end);
     next = std::copy(reader.row.begin(), reader.row.end(), next);
   } while (lines.next());
+  require_unchanged(next == end);
   table.digits = reader.digits;
   return table;
 }

@@ -223,8 +223,8 @@ TEST_CASE("outputs are synced before they are renamed, and their folder after", 
     if (command.starts_with("plot")) continue;
     INFO(command);
     for (const std::string unnamed : {"", " no unnamed files"}) {
-      // A system on which a file that was renamed before it was synced is lost, and which fails at
-      // the end where a folder was not synced after the last renaming in it.
+      // A system on which a file that was renamed before it was synced is lost, and on which a run
+      // fails at its end unless a folder was synced after the last renaming.
       const Outcome outcome = folder.shedlight(command, with_faults("power cuts" + unnamed));
       INFO(outcome.err);
       CHECK(outcome.exit_code == 0);

@@ -183,5 +183,6 @@ TEST_CASE("a Gwyddion file is not read whole to be refused", "[cli][hostile]") {
   };
   check(gwyddion(1 << 15, 1 << 14), "32768 x 16384 pixels, must be from 1 to 268435456");
   check(gwyddion(1 << 14, 1 << 14), "16384 x 16384 pixels need 268435456");
-  check("GWYP" + std::string(100'000, 'x'), "a name or text has 100000 bytes");
+  check("GWYP" + std::string(300'000, 'x'), "a text is longer than 65536 bytes");
+  check("GWYP" + std::string(100'000, 'x'), "a name has 100000 bytes");
 }

@@ -37,6 +37,14 @@ TEST_CASE("a title of several lines is written as one", "[gsf]") {
   CHECK(read.field.dy_um() == Approx(2));
 }
 
+TEST_CASE("a long title is cut between two characters", "[gsf]") {
+  std::string title = "x";
+  while (title.size() < 70'000) title += "\xE3\x81\xB8";
+  CHECK(read_bytes(evaluation::to_gsf(ramp(), title)).channel == title.substr(0, 1000));
+  CHECK(read_bytes(evaluation::to_gsf(ramp(), "xx" + title)).channel ==
+        "xx" + title.substr(0, 997));
+}
+
 TEST_CASE("heights of a field that are no lengths take a unit from the user", "[gsf]") {
   // The padding behind the header stays the same: "V " for "m".
   const std::string bytes =

@@ -7,6 +7,7 @@
 #include "tests/support/foreign_files.h"
 #include "tests/support/is_error.h"
 #include "tests/support/real_data.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -187,6 +188,61 @@ TEST_CASE("a container that cannot be right is refused", "[gwy]") {
   CHECK_THAT(refusal_of("GWYP" + object("GwyGraph", "")), Catch::Contains("no GwyContainer"));
   CHECK_THAT(refused(channel_item(0, field(1, 1, {INFINITY}))), Catch::Contains("finite"));
   CHECK_THAT(refused(channel_item(0, field(1, 1, {NAN}))), Catch::Contains("1 of 1 pixels"));
+}
+
+TEST_CASE("a field of many pieces is read from the disk, its mask too", "[gwy]") {
+  constexpr int cols = 150, rows = 140;
+  std::vector<double> heights(cols * rows), mask(cols * rows);
+  for (int i = 0; i < cols * rows; ++i) heights[i] = 1e-9 * i;
+  constexpr int masked[] = {0, 8191, 8192, 20'000};
+  for (const int i : masked) {
+    mask[i] = 1;
+    heights[i] = 1e30;  // plays no part, in the step between heights neither
+  }
+  const std::string thumbnail =
+      text("pixels") + 'C' + bytes_of(100'000u) + std::string(100'000, 'p');
+  const TemporaryFolder folder;
+  const auto path =
+      folder.write("scan.gwy", file(thumbnail + channel_item(0, field(cols, rows, heights)) +
+                                    text("/0/data/title") + 's' + text("top") + thumbnail +
+                                    text("/0/mask") + 'o' + field(cols, rows, mask)));
+  HeightChoice choice;
+  choice.missing = MissingHeights::neighbours;
+  const auto read = evaluation::read_heights(path, choice);
+  CHECK(read.channel == "top");
+  CHECK(read.filled == 4);
+  int wrong = 0;
+  for (int i = 0; i < cols * rows; ++i)
+    if (mask[i] == 0 && read.field.heights_um().data()[i] != heights[i] * 1e6) ++wrong;
+  CHECK(wrong == 0);
+  CHECK(read.field.height_step_um() ==
+        Approx(1e-3 * (cols * rows - 1) * std::pow(2, -52)).epsilon(1e-9));
+}
+
+TEST_CASE("a mask of another size is refused before the heights are read", "[gwy][limit]") {
+  constexpr std::uint32_t side = 1 << 14;
+  const std::string items = text("/0/mask") + 'o' + field(1, 1, {0}) + text("/0/data") + 'o';
+  const std::string header = text("xres") + 'i' + bytes_of(side) + text("yres") + 'i' +
+                             bytes_of(side) + text("data") + 'D' + bytes_of(side * side);
+  const std::uint32_t numbers = 8 * side * side;  // 2 GiB
+  const std::string data =
+      text("GwyDataField") + bytes_of(static_cast<std::uint32_t>(header.size() + numbers)) + header;
+  const TemporaryFolder folder;
+  const auto path = folder.write(
+      "scan.gwy", "GWYP" + text("GwyContainer") +
+                      bytes_of(static_cast<std::uint32_t>(items.size() + data.size() + numbers)) +
+                      items + data);
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) + numbers);
+  check_cheap([&] {
+    CHECK_THAT(refusal_in([&] { evaluation::read_heights(path, {}); }),
+               Catch::Contains("the mask has 1 x 1 pixels"));
+  });
+}
+
+TEST_CASE("channels without number are refused", "[gwy][limit]") {
+  std::string items;
+  for (int i = 0; i < 5000; ++i) items += channel_item(i, object("GwyDataField", ""));
+  CHECK_THAT(refusal_of(file(items)), Catch::Contains("more than 4096 channels"));
 }
 
 TEST_CASE("a Gwyddion file is refused wherever it was cut or damaged", "[gwy]") {

@@ -1,5 +1,6 @@
 #include "evaluation/readers/text_reader.h"
 
+#include <chrono>
 #include <cmath>
 #include <fstream>
 
@@ -99,7 +100,7 @@ TEST_CASE("no character is cut between two pieces", "[text]") {
     evaluation::detail::Utf8Pieces pieces(source);
     std::string text;
     int count = 0;
-    for (std::string piece = pieces.next(); !piece.empty(); piece = pieces.next(), ++count)
+    for (std::string_view piece = pieces.next(); !piece.empty(); piece = pieces.next(), ++count)
       text += piece;
     CHECK(count > 3);
     const bool is_same = text == expected + "\xEF\xBF\xBD";
@@ -113,13 +114,15 @@ TEST_CASE("a line without an end is refused before much of it is read", "[text][
   std::filesystem::resize_file(path, std::uintmax_t{1} << 32);
   check_cheap([&] {
     CHECK_THAT(refusal_in([&] { evaluation::read_heights(path, plain()); }),
-               Catch::Contains("line 2: more than 16777216 characters"));
+               Catch::Contains("line 2: more than 2097152 bytes"));
   });
 }
 
 TEST_CASE("a text with too many rows takes no memory for them", "[text][limit]") {
-  std::string rows;
-  while (rows.size() < 1 << 20) rows += "1 2\n";
+  // Rows of 64 bytes.
+  std::string row, rows;
+  while (row.size() < 62) row += "1 ";
+  while (rows.size() < 1 << 20) rows += row + "1\n";
   const TemporaryFolder folder;
   const auto path = folder.write("long.txt", "");
   {
@@ -130,8 +133,27 @@ TEST_CASE("a text with too many rows takes no memory for them", "[text][limit]")
   choice.max_pixels = 1000;
   check_cheap([&] {
     CHECK_THAT(refusal_in([&] { evaluation::read_heights(path, choice); }),
-               Catch::Contains("2 x 26214400 pixels"));
+               Catch::Contains("32 x 1638400 pixels"));
   });
+}
+
+TEST_CASE("cells that are not there take no memory", "[text][limit]") {
+  const std::string wide = "1" + std::string(2'000'000, ';') + "\n2\n";
+  check_cheap([&] {
+    CHECK_THAT(refusal_of(wide, plain()),
+               Catch::Contains("2000004 bytes cannot hold 2000000 x 2 numbers"));
+  });
+}
+
+TEST_CASE("a file that is written to while it is read is refused", "[text][source]") {
+  const TemporaryFolder folder;
+  const auto path = folder.write("scan.txt", "1 2\n3 4\n");
+  const evaluation::FileSource source(path);
+  folder.write("scan.txt", "5 6\n7 8\n");
+  std::filesystem::last_write_time(
+      path, std::filesystem::file_time_type::clock::now() + std::chrono::hours(1));
+  CHECK_THAT(refusal_in([&] { evaluation::read_heights(source, plain()); }),
+             Catch::Contains("has changed while it was read"));
 }
 
 TEST_CASE("the lines of Gwyddion are known in its languages", "[text]") {
