@@ -9,22 +9,7 @@
 #include <vector>
 
 #include "tests/cli/refusal.h"
-
-// What a refused file may cost; the program itself takes some 0.01 s and 15 MiB.
-constexpr double most_seconds = 1;
-// AddressSanitizer marks an eighth of what is reserved, and keeps what was freed.
-#if defined(__SANITIZE_ADDRESS__)
-#define SHEDLIGHT_ADDRESS_SANITIZER 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define SHEDLIGHT_ADDRESS_SANITIZER 1
-#endif
-#endif
-#ifdef SHEDLIGHT_ADDRESS_SANITIZER
-constexpr long most_kib = 1024 << 10;
-#else
-constexpr long most_kib = 64 << 10;
-#endif
+#include "tests/support/refusal_cost.h"
 
 /// Checks that `info` refuses a file in one line, at no more than what it may cost above the start
 /// of the program. Returns the line.
@@ -41,7 +26,7 @@ inline std::string check_cheaply_refused(const Scratch& folder, const std::strin
   CHECK_THAT(outcome.err, Catch::StartsWith("shedlight: " + file + ": "));
   CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
   CHECK(outcome.seconds <= most_seconds);
-  CHECK(outcome.peak_kib - start.peak_kib <= most_kib);
+  CHECK(outcome.peak_kib - start.peak_kib <= static_cast<long>(most_bytes >> 10));
   return outcome.err;
 }
 
