@@ -38,7 +38,7 @@ TEST_CASE("period of a height field gives period, interval, direction and light"
                            Catch::Contains("heights and light agree"));
 }
 
-TEST_CASE("a lattice is reported as two vectors", "[cli][period]") {
+TEST_CASE("a lattice is reported as two vectors", "[cli][period][long]") {
   const Scratch folder;
   folder.prepare(
       "synth sinusoid --period 2310nm --crossed-period 1870nm --height 200nm --size 40um "

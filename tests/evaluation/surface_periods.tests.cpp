@@ -163,7 +163,7 @@ TEST_CASE("a period that differs from strip to strip is known less well", "[peri
   CHECK(estimate.parts.patches_nm == Approx(8.66).epsilon(0.05));
 }
 
-TEST_CASE("a lattice has two vectors, a grating one", "[period][oracle]") {
+TEST_CASE("a lattice has two vectors, a grating one", "[period][oracle][long]") {
   const brdf::SyntheticSurface lattice{
       .grating = {.profile = Profile::lamellar,
                   .period = Length::um(3.17),
