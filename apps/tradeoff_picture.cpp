@@ -15,7 +15,6 @@ namespace apps {
 namespace {
 
 using evaluation::TradeoffRow;
-using evaluation::Trial;
 using Points = std::vector<std::pair<double, double>>;
 
 /// How a kind of row is drawn. The sources' own settings come last and carry their names.
