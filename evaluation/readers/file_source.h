@@ -35,6 +35,8 @@ class FileSource {
   /// The whole file, read when first asked for. Throws Errc::bad_input where it cannot be read, or
   /// has become shorter.
   std::string_view bytes() const;
+  /// The same, given away: nothing is left here.
+  std::string take() &&;
   /// Copies what there is from `offset` on, without keeping it; returns how many bytes, fewer than
   /// `count` only at the end of the file. Throws Errc::bad_input where it cannot be read.
   std::size_t read_at(std::uint64_t offset, char* to, std::size_t count) const;
@@ -43,9 +45,6 @@ class FileSource {
   /// SHA-256 of the whole file in lower-case hexadecimal, without keeping it. Throws as `read_at`,
   /// and where the file has been written to since it was opened.
   std::string sha256() const;
-
-  /// The same, given away: nothing is left here.
-  std::string take() &&;
 
   /// Longer than the header of any format.
   static constexpr std::size_t head_bytes = 1 << 16;

@@ -1,6 +1,7 @@
 #include "evaluation/readers/gwy_items.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "brdf/error.h"
 #include "evaluation/readers/stored_number.h"

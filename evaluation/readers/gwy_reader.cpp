@@ -112,13 +112,13 @@ std::vector<Channel> channels_of(const FileSource& source) {
     std::uint32_t number = 0;
     const auto [after, ec] = std::from_chars(key.data() + 1, key.data() + key.size(), number);
     if (ec != std::errc{}) continue;
-    if (by_number.size() > most_channels)
-      refuse_gwy(name, "more than " + std::to_string(most_channels) + " channels");
     const std::string_view rest(after, static_cast<std::size_t>(key.end() - after));
     const bool is_field = item->type == 'o' && item->object == "GwyDataField";
     if (rest == "/data" && is_field) by_number[number].field = item->value;
     if (rest == "/mask" && is_field) by_number[number].mask = item->value;
     if (rest == "/data/title" && item->type == 's') by_number[number].title = item->value;
+    if (by_number.size() > most_channels)
+      refuse_gwy(name, "more than " + std::to_string(most_channels) + " channels");
   }
   std::vector<Channel> channels;
   for (const auto& [number, channel] : by_number)

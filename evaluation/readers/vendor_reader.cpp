@@ -12,10 +12,10 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
-#include <cstring>
 #include <thread>
 
 #include "brdf/error.h"
+#include "evaluation/private_folder.h"
 #include "evaluation/readers/file_bytes.h"
 #include "evaluation/readers/gwy_reader.h"
 
@@ -35,27 +35,6 @@ constexpr std::array vendor_extensions{
     ".jpk", ".lext", ".mdt",  ".mi",   ".mtrx", ".nid", ".nhf", ".oir", ".opd",  ".opdx",
     ".par", ".plu",  ".plux", ".poir", ".psi",  ".sm3", ".sm4", ".spm", ".stp",  ".sur",
     ".sxm", ".top",  ".tap",  ".vk3",  ".vk4",  ".vk6", ".wip", ".xqd", ".zmg",  ".zon"};
-
-/// A folder that only its owner enters, removed at the end.
-class PrivateFolder {
- public:
-  PrivateFolder() {
-    std::string name = (fs::temp_directory_path() / "shedlight-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-      throw Error(Errc::cannot_write, name + ": cannot be made: " + std::strerror(errno));
-    path_ = name;
-  }
-  PrivateFolder(const PrivateFolder&) = delete;
-  PrivateFolder& operator=(const PrivateFolder&) = delete;
-  ~PrivateFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 std::vector<char*> pointers(std::vector<std::string>& texts) {
   std::vector<char*> result;
@@ -120,7 +99,7 @@ RawHeights decode_through_gwyddion(const fs::path& path, const HeightRequest& re
     throw Error(Errc::bad_input, name + ": not a known format; " + what);
   };
   const PrivateFolder folder;
-  const fs::path converted = folder.path() / "converted.gwy";
+  const fs::path converted = folder / "converted.gwy";
   // From the root: a name that begins with - would be an option.
   const pid_t child =
       started({"gwyddion", "--convert-to-gwy=" + converted.string(), fs::absolute(path).string()},

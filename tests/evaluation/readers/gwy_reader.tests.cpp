@@ -241,7 +241,13 @@ TEST_CASE("a mask of another size is refused before the heights are read", "[gwy
 
 TEST_CASE("channels without number are refused", "[gwy][limit]") {
   std::string items;
-  for (int i = 0; i < 5000; ++i) items += channel_item(i, object("GwyDataField", ""));
+  for (int i = 0; i < 5000; ++i) {
+    items += channel_item(i, object("GwyDataField", ""));
+    if (i + 1 == 4096)
+      CHECK_THAT(refusal_of(file(items)), Catch::Contains("0 of 4096 channels hold lengths"));
+    if (i + 1 == 4097)
+      CHECK_THAT(refusal_of(file(items)), Catch::Contains("more than 4096 channels"));
+  }
   CHECK_THAT(refusal_of(file(items)), Catch::Contains("more than 4096 channels"));
 }
 
